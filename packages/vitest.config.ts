@@ -11,6 +11,7 @@ const include = [
   'apps/*/src/**/*.test.{ts,tsx}',
   'apps/site/live/**/*.test.ts',
   'apps/lab/rivals/src/**/*.test.ts',
+  'e2e/samples/*.test.ts',
   'e2e/support/*.test.ts',
   'e2e/pages/chance/*.test.ts',
 ];

@@ -43,7 +43,12 @@ export interface EditorHandle {
   readonly microShaders: { textOf(name: string): string };
   readonly dialogs: { show(request: { kind: 'keys' | 'export' | 'welcome'; recovery: null }): Promise<boolean> };
   readonly notices: { show(kind: 'error', text: string): void };
-  readonly preferences: { setState(values: { theme: 'dark' | 'light' }): void };
+  readonly preferences: {
+    setState(values: { theme?: 'dark' | 'light'; folded?: Readonly<Record<string, boolean>> }): void;
+  };
+  readonly components: {
+    readonly types: ReadonlyMap<string, { readonly fields: Readonly<Record<string, { readonly group?: string }>> }>;
+  };
   openMicroShader(name: string, line?: number): void;
   readonly commands: {
     readonly history: readonly string[];
@@ -109,7 +114,19 @@ export async function openEditor(page: Page, scene?: 'empty'): Promise<void> {
   });
   await page.goto(scene ? `./?scene=${scene}` : './?welcome=no');
   await waitUntilReady(page);
+  await unfoldFields(page);
 }
+
+/** Unfolds every section and group of fields, which are folded at first where all is at its default. */
+export const unfoldFields = (page: Page): Promise<void> =>
+  page.evaluate(() => {
+    const { components, preferences } = window.editor;
+    const groups = [...components.types].flatMap(([type, { fields }]) =>
+      Object.values(fields).map(({ group }) => `${type}/${group}`),
+    );
+    const sections = ['Sky', 'Fog', 'Picture', 'Shadows', 'Picture effects', 'Physics', ...groups];
+    preferences.setState({ folded: Object.fromEntries(sections.map((id) => [id, false])) });
+  });
 
 export async function waitUntilReady(page: Page): Promise<void> {
   await page.waitForFunction(() => 'editor' in window);

@@ -91,7 +91,7 @@ test('the frame: technique and why, passes, two techniques side by side, all vie
   expect(await page.evaluate(() => window.editor.viewport.view)).toBe('light-count');
   const scale = page.getByRole('figure', { name: /^Scale/ });
   await expect(scale).toContainText('32+');
-  await frame.getByRole('textbox', { name: 'Hottest count' }).fill('8');
+  await frame.getByRole('textbox', { name: 'Heat map maximum' }).fill('8');
   await page.keyboard.press('Enter');
   await expect(scale).toContainText('8+');
 });

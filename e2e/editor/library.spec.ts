@@ -1,5 +1,5 @@
 import { expect, test } from './sharedEditor';
-import { fieldOf, history, inspectorFollows } from './editor';
+import { addObject, fieldOf, history, inspectorFollows, menuIsGone, openEmptyScene } from './editor';
 
 // a small picture: the software rasteriser draws every pixel on the CPU
 test.use({ viewport: { width: 1000, height: 700 } });
@@ -9,7 +9,7 @@ test('a lamp of the library is found, dragged into the picture, added by a key, 
   const library = page.getByRole('region', { name: 'Library' });
   await library.getByRole('searchbox', { name: 'Search the library' }).fill('outdoors floor');
   const card = library.getByRole('button', { name: 'Street lamp' });
-  await expect(library.getByRole('listitem')).toHaveCount(4);
+  await expect(library.getByRole('listitem')).toHaveCount(5);
   await expect(card.locator('img')).toHaveJSProperty('complete', true);
   expect(await card.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(0);
   const canvas = page.locator('.viewport-place canvas').first();
@@ -34,3 +34,32 @@ test('a lamp of the library is found, dragged into the picture, added by a key, 
   await page.keyboard.press('Enter');
   await expect.poll(() => history(page)).toEqual(['Added Chandelier']);
 });
+
+test(
+  'a prefab of the user is kept in the library, and placed in another scene',
+  { tag: '@verify' },
+  async ({ page }) => {
+    await addObject(page, 'Mesh', 'Box');
+    await page.getByRole('menuitem', { name: 'Object', exact: true }).click();
+    await page.getByRole('menuitem', { name: 'Make prefab' }).click();
+    await menuIsGone(page);
+    await page.locator('.assets [data-asset]').filter({ hasText: 'Box' }).first().click({ button: 'right' });
+    await page.getByRole('menuitem', { name: 'Put into the library' }).click();
+    await menuIsGone(page);
+    await expect(page.getByText('Box is in the library now, for all scenes.')).toBeVisible();
+    // the scene has changed: without a question, it is let go
+    await page.evaluate(() => window.editor.commands.clear());
+    await openEmptyScene(page);
+    await page.getByRole('tab', { name: 'Library' }).click();
+    const library = page.getByRole('region', { name: 'Library' });
+    await library.getByRole('combobox', { name: 'Kind of item' }).click();
+    await page.getByRole('option', { name: 'My own' }).click();
+    const card = library.getByRole('button', { name: 'Box', exact: true });
+    await expect(card.locator('img')).toHaveJSProperty('complete', true);
+    await card.click();
+    await expect.poll(() => history(page)).toEqual(['Added Box']);
+    expect(await fieldOf(page, 'Box', 'ObjectRenderer', 'mesh')).toBe('box');
+    await library.getByRole('button', { name: 'Remove Box from the library' }).click();
+    await expect(card).toHaveCount(0);
+  },
+);

@@ -14,7 +14,7 @@ async function openLights(page: Page): Promise<void> {
 
 const history = (page: Page): Promise<readonly string[]> => page.evaluate(() => window.editor.commands.history);
 
-/** What the three lights of these names give: intensity, and whether they are drawn. */
+/** Intensities of the three lights of these names, and whether they are drawn. */
 const shining = (page: Page, names: readonly string[]): Promise<(readonly [number, boolean])[]> =>
   page.evaluate(
     (all) =>

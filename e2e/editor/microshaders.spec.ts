@@ -167,7 +167,7 @@ test('a new chunk, and XML: into the scene and out of it @verify', async ({ page
 
   // the thesis's chunks come in as one step
   await panel(page).getByRole('button', { name: 'Import and export' }).click();
-  await page.getByRole('menuitem', { name: "Import the thesis's" }).click();
+  await page.getByRole('menuitem', { name: 'Import the Phong lights of 2015' }).click();
   await expect.poll(() => history(page).then((steps) => steps.at(-1))).toBe('Imported thesis.xml');
   const chunks = Object.keys(JSON.parse(await serialized(page)).microShaders);
   expect(chunks).toContain('own/tint');

@@ -68,7 +68,7 @@ test('a built app works without its server, and offers another version once it i
 
 // from source the editor has no built files
 if (process.env.FAROL_E2E === 'built') {
-  test('the editor opens without its server, and a file that the system hands it', async ({ page, watch }) => {
+  test('the editor opens without its server, and a file that the system hands it @verify', async ({ page, watch }) => {
     const built = await serveFolder(join(root, 'apps/editor/dist'), { isolated: false });
     await page.goto(`${built.url}?scene=empty`);
     await waitUntilReady(page);

@@ -78,6 +78,11 @@ test('a phone shows the scene, follows a moved object and, over a lost connectio
   const dialog = page.getByRole('dialog');
   await expect(dialog.getByText('nobody looks')).toBeVisible();
   const address = await dialog.getByLabel('Address for the phone').inputValue();
+  // the end of the address is seen
+  const rest = await dialog
+    .getByLabel('Address for the phone')
+    .evaluate((input: HTMLInputElement) => input.scrollWidth - input.clientWidth - input.scrollLeft);
+  expect(rest).toBeLessThan(2);
   expect(address).toMatch(/^https:\/\/127\.0\.0\.1:\d+\/live\.html\?token=[\w-]{16}&look=[0-9a-f]{16}$/);
 
   const context = await browser.newContext({
@@ -114,6 +119,11 @@ test('a phone shows the scene, follows a moved object and, over a lost connectio
   await page.getByLabel('Colour as sRGB').press('Enter');
   await expect.poll(async () => (await lookAt(phone))?.blue ?? 0).toBeGreaterThan(0.9);
   await page.keyboard.press('Escape');
+
+  // Play begins the phone's scene anew: it names itself
+  await phone.evaluate(() => (document.title = 'before Play'));
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await expect.poll(() => phone.title()).toBe('Ball');
 
   await phone.close();
   await expect(page.locator('.status').getByText('nobody looks')).toBeVisible();

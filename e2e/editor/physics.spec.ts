@@ -51,7 +51,7 @@ test('a box with a body falls on a plane and is put back; its collider is seen, 
   await expect.poll(async () => (await history(page)).at(-1)).toBe('Added physics to Plane');
   expect(await fieldOf(page, 'Plane', 'Collider', 'shape')).toBe('box');
   await addObject(page, 'Mesh', 'Box');
-  await page.getByRole('region', { name: 'Transform', exact: true }).getByLabel('Position y').fill('3');
+  await page.getByRole('region', { name: 'Transform', exact: true }).getByLabel('Position y').fill('1.5');
   await page.keyboard.press('Enter');
   await makePhysics(page, 'Add dynamic body and collider');
   await expect.poll(async () => (await history(page)).at(-1)).toBe('Added physics to Box');

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, testWithSharedPage } from '../support/sharedPage';
-import { openEditor } from './editor';
+import { openEditor, unfoldFields } from './editor';
 
 export { expect };
 
@@ -89,6 +89,7 @@ async function putBack(page: Page): Promise<void> {
     }
     (document.activeElement as HTMLElement | null)?.blur();
   }, viewportSettings);
+  await unfoldFields(page);
   await expect(page.getByRole('dialog').or(page.getByRole('menu'))).toHaveCount(0);
 }
 

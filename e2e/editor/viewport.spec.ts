@@ -81,6 +81,6 @@ test('selects by a box, from a side, without what is locked; shows what a camera
   await expect(page.getByRole('combobox', { name: 'Look through' })).toHaveText('Camera');
   await expect(look).toHaveCount(0);
 
-  await page.getByRole('button', { name: 'Figures of the frames' }).click();
-  await expect(page.getByRole('region', { name: 'Figures of the frames' })).toContainText('Triangles');
+  await page.getByRole('button', { name: 'Frame statistics' }).click();
+  await expect(page.getByRole('region', { name: 'Frame statistics' })).toContainText('Triangles');
 });

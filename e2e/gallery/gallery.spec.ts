@@ -13,8 +13,8 @@ const stills = join(liveFolder, 'assets/stills/gallery');
 /** Most bytes of a picture. */
 const MOST = 17_500;
 
-/** Small scenes of five kinds: a shadow, light layers, an edited microshader, particles, a composer of three's. */
-const inSlice = ['first-lamp', 'light-layers', 'attenuation-edited-live', 'campfire', 'bloom-composer'];
+/** Small scenes of three kinds: a shadow, an edited microshader, particles. */
+const inSlice = ['first-lamp', 'attenuation-edited-live', 'campfire'];
 
 /** Limits beside those of a technique, with their reasons. */
 const exceptions: Record<string, Limits | undefined> = {

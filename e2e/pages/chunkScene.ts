@@ -1,5 +1,6 @@
 import * as THREE from 'three';
 import type { TestScene } from './materialScene';
+import { isSlice } from './techniquesInTurn';
 
 /** A ball and a box over a floor in fog, under lights that cast shadows and others, for changes of three's shader chunks. */
 export function chunkScene(width: number, height: number): TestScene {
@@ -10,7 +11,11 @@ export function chunkScene(width: number, height: number): TestScene {
   floor.rotation.x = -Math.PI / 2;
   const ball = new THREE.Mesh(new THREE.SphereGeometry(0.9, 32, 20), new THREE.MeshPhongMaterial({ color: 0xee9966 }));
   ball.position.set(-1.2, 1, 0);
-  const box = new THREE.Mesh(new THREE.BoxGeometry(1, 1.8, 1), new THREE.MeshLambertMaterial({ color: 0x66aaee }));
+  const box = new THREE.Mesh(
+    new THREE.BoxGeometry(1, 1.8, 1),
+    // in the slice the ball's kind: a program less
+    new (isSlice ? THREE.MeshPhongMaterial : THREE.MeshLambertMaterial)({ color: 0x66aaee }),
+  );
   box.position.set(1.2, 0.9, -0.4);
   const pane = new THREE.Mesh(
     new THREE.PlaneGeometry(1, 1),

@@ -13,6 +13,7 @@ import * as particles from '@farol/renderer/particles';
 import * as lightProfiles from '@farol/renderer/light-profiles';
 import * as surfaces from '@farol/renderer/surfaces';
 import * as transparency from '@farol/renderer/transparency';
+import * as volumetricFog from '@farol/renderer/volumetric-fog';
 import { compareImages, isFlat } from '../support/images';
 import { alphaBench, alphaScene } from './alphaScene';
 import { DistanceFade } from './authoring/DistanceFade';
@@ -30,6 +31,7 @@ import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { LateCase } from './lateCases';
 import { CELL, lineSheet } from './lineSheet';
+import { FogScene } from './fogScene';
 import { floorScene } from './floorScene';
 import { materialScene } from './materialScene';
 import { oneParticle } from './oneParticle';
@@ -51,7 +53,13 @@ export interface TestPage {
   authoring: typeof authoring;
   surfaces: typeof surfaces;
   /** The effects, from their own entries. */
-  effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals & typeof particles;
+  effects: typeof antialiasing &
+    typeof ambientOcclusion &
+    typeof transparency &
+    typeof decals &
+    typeof particles &
+    typeof volumetricFog;
+  FogScene: typeof FogScene;
   lightProfiles: typeof lightProfiles;
   lightFields: typeof lightFields;
   setLightOptions: typeof setLightOptions;
@@ -134,7 +142,8 @@ window.testPage = {
   farol,
   authoring,
   surfaces,
-  effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals, ...particles },
+  effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals, ...particles, ...volumetricFog },
+  FogScene,
   lightProfiles,
   lightFields,
   setLightOptions,

@@ -67,8 +67,8 @@ test('info tells the bytes of everything: their sum is that of all textures and 
     for (const light of lights) light.castShadow = true;
     // the first test has the targets of the others
     const shown = perf.techniques.filter((name) => !few || /^(clustered-forward|tiled-deferred|inferred)$/.test(name));
-    return shown.flatMap((technique) =>
-      (['full', 'lite'] as const).map((quality) => {
+    return shown.flatMap((technique, turn) =>
+      (few ? [(['full', 'lite'] as const)[turn % 2]] : (['full', 'lite'] as const)).map((quality) => {
         const before = perf.textureBytes();
         const farol = new package_.FarolRenderer(webgl, { technique, quality });
         // light data may take turns between textures: lights that move bring all of them out
@@ -84,7 +84,7 @@ test('info tells the bytes of everything: their sum is that of all textures and 
       }),
     );
   }, few);
-  expect(measured.length).toBeGreaterThan(4);
+  expect(measured.length).toBeGreaterThan(few ? 2 : 4);
   for (const { technique, quality, drawn, counted, told, total } of measured) {
     const said = `${technique}, ${quality}: ${JSON.stringify(told)}`;
     const { gbufferPixel, ...parts } = told;

@@ -40,9 +40,12 @@ for (const seeds of decksOf(first, count, DECK)) {
 if (!asked)
   test('scenes by chance that were off once are as in stock three', async ({ benchPage: page }) => {
     const faults = await page.evaluate(async (scenes) => {
+      const { isSlice, techniquesInTurn } = window.testPage;
       const { compared, compareScene, forgetScenes } = await window.testPage.chance();
+      // most were off over a G-buffer; what it cannot hold is drawn forward there
+      const known = isSlice ? compared.filter((name) => !name.includes('forward')) : compared;
       const faults = Object.entries(scenes).flatMap(([name, facts], turn) => {
-        const results = compareScene(facts, window.testPage.techniquesInTurn(turn, compared));
+        const results = compareScene(facts, techniquesInTurn(turn, known));
         if ('unseen' in results) return [`${name}: ${results.unseen}`];
         return results.flatMap(({ technique, fault }) => (fault ? [`${name}, ${technique}: ${fault}`] : []));
       });

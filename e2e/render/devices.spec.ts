@@ -27,7 +27,7 @@ type Few = readonly [techniques: readonly TechniqueName[], effects: readonly Eff
 const LACKS: Record<DeviceName, Few | null> = {
   nothing: null,
   'colour buffers of whole floats': null,
-  'float colour buffers': [['auto', 'deferred', 'forward'], EFFECTS],
+  'float colour buffers': [['auto', 'deferred'], EFFECTS],
   'blending of floats': null,
   'linear filtering of floats': null,
   timers: null,

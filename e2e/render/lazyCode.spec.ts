@@ -97,7 +97,7 @@ test('a page that was offline gets its shadows when it is online again, with one
     const { Bench, farol, shadowScene } = window.testPage;
     const bench = new Bench(64, 48);
     bench.webgl.shadowMap.enabled = true;
-    const { scene, camera } = shadowScene(64, 48, { caster: 'spot' });
+    const { scene, camera } = shadowScene(64, 48, { caster: 'spot', few: true });
     await farol.FarolRenderer.preload(['warm-up']);
     const maps = () => {
       bench.byTechnique('forward-single-pass', scene, camera);
@@ -135,7 +135,7 @@ test('ready waits for the first frame, and for one after a lost context; a rende
     const { Bench, shadowScene } = window.testPage;
     const bench = new Bench(32, 24);
     const { farol } = bench;
-    const { scene, camera } = shadowScene(32, 24, { caster: 'spot' });
+    const { scene, camera } = shadowScene(32, 24, { caster: 'spot', few: true });
     const draw = () => bench.byTechnique('deferred', scene, camera);
     const steps: string[] = [];
     const wait = (name: string) =>

@@ -12,7 +12,7 @@ test('lights with photometric profiles light a floor by every technique as the f
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, drawn, lightProfiles, setLightOptions, techniquesInTurn, three } = window.testPage;
+    const { Bench, drawn, isSlice, lightProfiles, setLightOptions, techniquesInTurn, three } = window.testPage;
     const { IESLoader } = lightProfiles;
     const size = 32;
     const bench = new Bench(size, size);
@@ -104,8 +104,10 @@ test('lights with photometric profiles light a floor by every technique as the f
     };
     const built = scenes.map((lamps) => ({ lamps, scene: sceneOf(lamps) }));
     const names = techniquesInTurn(4, drawn);
-    const results = names.map((technique) => {
-      const worst = built.map(({ lamps, scene }) => {
+    const results = names.map((technique, turn) => {
+      // in the slice one scene by each
+      const seen = built.filter((_, index) => !isSlice || index === turn % built.length);
+      const worst = seen.map(({ lamps, scene }) => {
         const { data } = bench.byTechnique(technique, scene, camera);
         return lamps.map((lamp, channel) => {
           let brightest = 0;

@@ -78,10 +78,10 @@ test('lights of ranges, places and strengths at the ends of numbers look as in s
 
 test('a range that is no limit is none for shadows either', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, shadowScene, techniquesInTurn } = window.testPage;
+    const { Bench, compareImages, isSlice, shadowScene, techniquesInTurn } = window.testPage;
     const bench = new Bench(64, 48);
     bench.webgl.shadowMap.enabled = true;
-    const { scene, camera } = shadowScene(64, 48, { caster: 'mixed' });
+    const { scene, camera } = shadowScene(64, 48, { caster: 'mixed', few: isSlice });
     const lights: { distance: number }[] = [];
     scene.traverse((object) => {
       if ('isPointLight' in object || 'isSpotLight' in object) lights.push(object as never);

@@ -277,10 +277,10 @@ test('casters, lights and techniques that change back and forth compile nothing 
   benchPage: page,
 }) => {
   const compiled = await page.evaluate(() => {
-    const { Bench, shadowScene, techniquesInTurn, three } = window.testPage;
+    const { Bench, isSlice, shadowScene, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(48, 32);
     bench.webgl.shadowMap.enabled = true;
-    const { scene, camera, lights } = shadowScene(48, 32, { caster: 'mixed' });
+    const { scene, camera, lights } = shadowScene(48, 32, { caster: 'mixed', few: isSlice });
     const box = new three.Mesh(new three.BoxGeometry(), new three.MeshStandardMaterial());
     box.castShadow = true;
     const techniques = techniquesInTurn(0, ['forward', 'tiled-deferred', 'clustered-forward']);
@@ -311,11 +311,11 @@ test("the host's lights, materials and renderer are as they were after shadows a
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, shadowScene, three } = window.testPage;
+    const { Bench, compareImages, isSlice, shadowScene, three } = window.testPage;
     const bench = new Bench(64, 48);
     const { webgl } = bench;
     webgl.shadowMap.enabled = true;
-    const { scene, camera, lights } = shadowScene(64, 48, { caster: 'mixed' });
+    const { scene, camera, lights } = shadowScene(64, 48, { caster: 'mixed', few: isSlice });
     const own = webgl.shadowMap.render;
     const snapshot = (all: boolean) => {
       const seen: unknown[] = [webgl.shadowMap.render === own, webgl.shadowMap.needsUpdate, webgl.shadowMap.type];

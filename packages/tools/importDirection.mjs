@@ -60,7 +60,7 @@ const engineFloors = [
   ['fields'],
   // files of strangers, counted before they are read, and the error of those that are refused
   ['guard'],
-  ['geometry', 'textures', 'profiles', 'photometry'],
+  ['geometry', 'textures', 'profiles', 'photometry', 'astronomy'],
   ['assets'],
   // settings of a scene as fields, and the sky that they paint
   ['settings'],

@@ -4,6 +4,7 @@
  *
  *     node packages/tools/libraryPictures.mjs
  *     node packages/tools/libraryPictures.mjs torch tree
+ *     node packages/tools/libraryPictures.mjs material
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -21,10 +22,10 @@ const QUALITY = 0.8;
 /**
  * Runs in the page: puts an item before a grey wall, on a floor, at dusk, and draws it from the right and above.
  *
- * @param {[id: string, size: number, quality: number]} given
+ * @param {[id: string, group: string, size: number, quality: number]} given
  * @returns {Promise<string>} address with the picture's data
  */
-async function drawItem([id, size, quality]) {
+async function drawItem([id, group, size, quality]) {
   const { editor } = /** @type {any} */ (window);
   // addresses of the sources, which the server gives
   const [place, make, bounds] = await Promise.all(
@@ -39,7 +40,24 @@ async function drawItem([id, size, quality]) {
   sky.getComponent('Light').set('intensity', 1);
   sky.getComponent('Light').set('diffuse', [0.6, 0.7, 1]);
   scene.settings.set('backgroundColour', [0.02, 0.026, 0.045]);
+  const isSky = !['lamp', 'prop', 'play', 'material'].includes(group);
+  if (group === 'material' || isSky) {
+    const sphere = await make
+      .creations(scene)
+      .find((/** @type {{ label: string }} */ each) => each.label === 'Sphere')
+      .make();
+    sphere.transform.position = [0, 0.5, 0];
+    scene.add(sphere);
+    editor.document.selection.set([sphere.id]);
+  }
   await place.placeLibraryItem(editor, id);
+  if (group === 'material') {
+    await place.placeLibraryItem(editor, 'studio');
+    scene.settings.set('background', 'sky');
+    scene.settings.set('backgroundBlur', 0.6);
+  }
+  if (id === 'player') scene.activeCamera = scene.roots[0].getComponent('Camera');
+  await scene.settings.skyReady;
   const item = scene.findById(editor.document.selection.ids[0]);
   item.transform.position = [0, 0, 0];
   // lamps shine along -Z
@@ -63,13 +81,18 @@ async function drawItem([id, size, quality]) {
     scene.add(object);
   };
   const wide = 40 * radius;
-  await addBox([0, centre.y, isOnWall ? -0.051 : box.min.z - 1.2 * radius - 0.05], [wide, wide, 0.1]);
-  if (!isOnWall) await addBox([0, (isHung ? box.min.y - radius : 0) - 0.051, 0], [wide, 0.1, wide]);
+  if (group !== 'material' && !isSky)
+    await addBox([0, centre.y, isOnWall ? -0.051 : box.min.z - 1.2 * radius - 0.05], [wide, wide, 0.1]);
+  if (!isOnWall && group !== 'material')
+    await addBox([0, (isHung ? box.min.y - radius : 0) - 0.051, 0], [wide, 0.1, wide]);
   editor.document.selection.set([]);
   const fov = 0.45;
-  const distance = (0.92 * radius) / Math.sin(fov / 2);
-  const way = [0.5, isHung ? -0.12 : id === 'street' ? 0.9 : 0.3, 1].map((each, _, all) => each / Math.hypot(...all));
-  const target = [centre.x, centre.y, centre.z];
+  const distance = ((isSky ? 2.4 : 0.92) * radius) / Math.sin(fov / 2);
+  const way = [isSky ? 0.35 : 0.5, isHung ? -0.12 : isSky ? -0.02 : id === 'street' ? 0.9 : 0.3, isSky ? 0.9 : 1].map(
+    (each, _, all) => each / Math.hypot(...all),
+  );
+  // the sky takes most of its picture
+  const target = [centre.x, centre.y + (isSky ? 1.4 : 0), centre.z];
   const position = target.map((each, i) => each + way[i] * distance);
   editor.viewport.editorCamera.show({ position, target, fov, orthographic: false }, false);
   await new Promise((resolve) => setTimeout(resolve, 1500));
@@ -103,22 +126,21 @@ try {
     editor.layout.maximise('viewport');
     Object.assign(editor.viewport, { showGrid: false, showIcons: false });
   });
-  const items = /** @type {string[]} */ (
-    await page.evaluate(async (path) => {
-      const { libraryNames } = await import(path);
-      return Object.values(libraryNames).flatMap((names) => Object.keys(names));
-    }, '/src/model/library/names.ts')
+  const items = /** @type {{ id: string, group: string, picture: string | null }[]} */ (
+    await page.evaluate(async (path) => (await import(path)).libraryItems(), '/src/files/library/libraryItems.ts')
   );
   const wanted = process.argv.slice(2);
-  for (const id of items) {
-    if (wanted.length > 0 && !wanted.includes(id)) continue;
+  for (const { id, group, picture } of items) {
+    if (picture === null) continue;
+    const name = picture.slice(picture.lastIndexOf('/') + 1);
+    if (wanted.length > 0 && !wanted.includes(id) && !wanted.includes(group)) continue;
     const data = /** @type {string} */ (
-      await page.evaluate(drawItem, /** @type {[string, number, number]} */ ([id, SIZE, QUALITY]))
+      await page.evaluate(drawItem, /** @type {[string, string, number, number]} */ ([id, group, SIZE, QUALITY]))
     );
     const bytes = Buffer.from(data.slice(data.indexOf(',') + 1), 'base64');
-    writeFileSync(join(folder, `${id}.webp`), bytes);
+    writeFileSync(join(folder, name), bytes);
     bytesInAll += bytes.length;
-    console.log(`${id}.webp: ${(bytes.length / 1000).toFixed(1)} kB`);
+    console.log(`${name}: ${(bytes.length / 1000).toFixed(1)} kB`);
   }
   console.log(`${(bytesInAll / 1000).toFixed(0)} kB in all`);
 } finally {

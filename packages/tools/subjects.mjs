@@ -13,6 +13,7 @@ export const subjects = [
   ['packages/renderer/src/effects/light-probes', ['render/bake']],
   ['packages/renderer/src/effects/particles', ['render/particles']],
   ['packages/renderer/src/effects/transparency', ['render/transparency']],
+  ['packages/renderer/src/effects/volumetric-fog', ['render/volumetricFog']],
   ['packages/renderer/src/effects', ['render/effects']],
   ['packages/renderer/src/light-fields', ['render/lightField']],
   ['packages/renderer/src/light-profiles', ['render/lightProfiles']],

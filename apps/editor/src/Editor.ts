@@ -17,7 +17,6 @@ import { ConsoleLog } from './model/ConsoleLog';
 import { Drafts } from './model/Drafts';
 import { MicroShaderEditing } from './microshaders/MicroShaderEditing';
 import { Dialogs } from './model/Dialogs';
-import { makeEmptyScene } from './model/makeEmptyScene';
 import { EditorDocument } from './model/EditorDocument';
 import { Notices } from './model/Notices';
 import { PlaceToShow } from './model/PlaceToShow';
@@ -33,11 +32,9 @@ import { guardScripts } from './scripts/guardScripts';
 import { Plugins } from './plugins/Plugins';
 import { unknownTypes } from './model/unknownTypes';
 import { makeLibrary } from './files/makeLibrary';
+import { openFirst } from './files/openFirst';
 import { withProgress } from './files/withProgress';
 import { watchErrors } from './watchErrors';
-
-/** Demo scene that is opened first, with its parameters. */
-const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
 
 /** Time of successful drawing after which the notice of a drawing failure is removed (ms). */
 const RECOVERED = 1000;
@@ -130,7 +127,8 @@ export class Editor implements EditorApi {
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
     this.viewport.shareMicroShaders = (registry) => this.microShaders.addRegistry(registry);
     // fetched before the first frame, which may need them
-    this.ready = this.viewport.farol.addLazyMicroShaders().then(() => this.openFirst(scene));
+    const read = (build: (assets: AssetLibrary) => Promise<Scene>): Promise<Scene | null> => this.readNext(build);
+    this.ready = this.viewport.farol.addLazyMicroShaders().then(() => openFirst(this, scene, read));
   }
 
   get commands(): CommandStack {
@@ -149,21 +147,6 @@ export class Editor implements EditorApi {
 
   serialize(): string {
     return this.document.serialize();
-  }
-
-  private async openFirst(name: string | null): Promise<void> {
-    if (name === 'empty') this.show(makeEmptyScene(this.document.assets), { name: null, handle: null });
-    else if (name !== null && Object.hasOwn(scenes, name)) await this.openScene(name);
-    else if (name !== null && Object.hasOwn(samples, name)) await this.openSample(name);
-    else {
-      await this.openScene(FIRST_SCENE.name, FIRST_SCENE.parameters);
-      if (name === null) return;
-      const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
-      this.notices.show(
-        'warning',
-        t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(samples).join(', ') }),
-      );
-    }
   }
 
   async openScene(name: string, parameters: SceneParameters = {}): Promise<void> {

@@ -11,6 +11,7 @@ import { actions } from './actions';
 import { englishViewLabel } from './actions/display';
 import { es } from './language/es';
 import { samples } from './api/Sample';
+import { englishWords } from './files/assetKinds';
 import { creations } from './model/creations';
 import { buildLibraryItem } from './model/library/buildLibraryItem';
 import { libraryMaterials } from './model/library/materials';
@@ -75,11 +76,20 @@ function entryTexts(): Record<string, string[]> {
   );
 }
 
+/** Words of the names of built-in assets. */
+const builtinWords = ({ assets }: Scene): string[] =>
+  assets.list().map((name) => englishWords(name.replace(/^.*\//, '').replace(/@\d+$|-normal.*$/g, '')));
+
 /** Names of items and materials of the library, of the objects in its prefabs, and its tags. */
 function libraryTexts(): string[] {
-  const ids = Object.values(libraryNames).flatMap((names) => Object.keys(names));
-  const objects = ids.flatMap((id) => buildLibraryItem(id)!.prefab.objects.map(({ name }) => name));
-  return [...objects, ...Object.keys(libraryMaterials), ...Object.values(libraryTags).flat()];
+  const items = Object.values(libraryNames).flatMap((names) => Object.entries<string>(names));
+  const objects = items.flatMap(([id]) => buildLibraryItem(id)?.prefab.objects.map(({ name }) => name) ?? []);
+  return [
+    ...items.map(([, name]) => name),
+    ...objects,
+    ...Object.keys(libraryMaterials),
+    ...Object.values(libraryTags).flat(),
+  ];
 }
 
 /** Texts that the editor may look up besides those of entries. */
@@ -97,6 +107,7 @@ function otherTexts(): string[] {
     ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...Object.values(samples).map(({ help }) => help),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),
+    ...builtinWords(scene),
     ...libraryTexts(),
     ...ofFields(Object.fromEntries(settings)).filter((text) => !ofEntries.has(text)),
     ...ofFields(materialAssetFields),
@@ -136,6 +147,10 @@ test('a Spanish text has the values of its English one, and its blanks at both e
       spanish.trim() === '',
   );
   expect(unlike).toEqual([]);
+});
+
+test('decimals have a point in Spanish too, as in fields and counts, see formatCount', () => {
+  expect(Object.entries(es).filter(([, spanish]) => /\d,\d/.test(spanish))).toEqual([]);
 });
 
 test('whatever the editor shows is looked up in the language that is shown', () => {

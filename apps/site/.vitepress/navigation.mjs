@@ -32,6 +32,7 @@ const guides = [
   group('Pictures', {
     canvas: 'Canvas, size and targets',
     effects: 'Effects and bloom',
+    'volumetric-fog': 'Fog that lights light',
     'many-objects': 'Many objects',
     surfaces: 'Surfaces of microshaders',
     'frame-budget': 'A frame budget',
@@ -59,6 +60,7 @@ const guides = [
     engine: 'The engine',
     scenes: 'Demo scenes',
     'engine-headsets': 'Headsets',
+    'engine-photometry': 'Light in real units',
     'scene-files': 'Scene files',
     models: 'OBJ, STL and PLY',
     guard: 'Files of strangers',

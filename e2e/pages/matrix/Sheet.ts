@@ -10,7 +10,7 @@ const COLUMNS = 8;
 /** Units a side of a cell. */
 const SIDE = 2;
 /** Point and spot lights. Stock three has each in the text of its shaders, which take longer to compile by it. */
-const LIGHTS = isSlice ? 4 : 10;
+const LIGHTS = isSlice ? 2 : 10;
 
 /** Pixels of the sheet of so many cases. */
 export function sheetSize(cases: Cases): { columns: number; rows: number; width: number; height: number } {

@@ -117,7 +117,7 @@ export const settings: Record<string, Setting> = {
   },
   'fog, linear': { prepare: ({ scene }) => (scene.fog = new THREE.Fog(0x668899, 5, 9)) },
   'fog, exponential': { inVerify: true, prepare: ({ scene }) => (scene.fog = new THREE.FogExp2(0x668899, 0.12)) },
-  'background of a texture': { prepare: ({ scene }) => (scene.background = colourMap()) },
+  'background of a texture': { inVerify: true, prepare: ({ scene }) => (scene.background = colourMap()) },
   'background of a cube, fainter and turned': {
     prepare({ scene, things }) {
       things[0].visible = false;
@@ -223,6 +223,7 @@ export const settings: Record<string, Setting> = {
     },
   },
   'logarithmic depth': {
+    inVerify: true,
     renderer: { logarithmicDepthBuffer: true },
     prepare: ({ camera }) => ((camera.far = 1e6), camera.updateProjectionMatrix()),
   },
@@ -231,7 +232,7 @@ export const settings: Record<string, Setting> = {
     renderer: { logarithmicDepthBuffer: true },
     draw: ({ scene }, render) => render(scene, ortho()),
   },
-  'reversed depth': { renderer: { reversedDepthBuffer: true } },
+  'reversed depth': { inVerify: true, renderer: { reversedDepthBuffer: true } },
   'reversed depth, orthographic': {
     inVerify: true,
     renderer: { reversedDepthBuffer: true },

@@ -5,6 +5,7 @@ export { views, type View } from './frame/views';
 export type { FarolEffect } from './frame/FarolEffect';
 export type { BudgetInfo, BudgetSource, FrameBudget } from './renderer/FrameBudget';
 export type { FarolInfo, PassInfo } from './renderer/FarolInfo';
-export { clearLearnt, type LazyPart } from './renderer/lazyCode';
+export { clearLearnt, type LazyPart, learntChoices } from './renderer/lazyCode';
+export type { LearntChoice } from './renderer/learning';
 export { setShading } from './materials/setShading';
 export type { ShadingName } from './materials/shadingOf';

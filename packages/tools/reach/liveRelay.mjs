@@ -12,7 +12,7 @@ export const liveLimits = {
 const PING = 10_000;
 
 /** Kinds of messages that each side may send. */
-const kinds = { edit: ['whole', 'parts', 'end'], look: ['again'], allow: ['result'], agent: ['name', 'call'] };
+const kinds = { edit: ['whole', 'parts', 'end', 'play'], look: ['again'], allow: ['result'], agent: ['name', 'call'] };
 
 /**
  * Edited scene that pages look at.

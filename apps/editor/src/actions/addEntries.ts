@@ -46,7 +46,9 @@ interface LibraryEntry {
   run(editor: EditorApi, parent?: GameObject | null, at?: PagePoint): Promise<void>;
 }
 
-const libraryFolders = (): Readonly<Record<LibraryGroup, string>> => ({ lamp: t('Lamps'), prop: t('Props') });
+const libraryFolders = (): Readonly<Record<LibraryGroup, string>> => ({
+  ...{ lamp: t('Lamps'), prop: t('Props'), play: t('Behaviour'), sky: t('Sky') },
+});
 
 export const libraryEntries = (): LibraryEntry[] =>
   (Object.keys(libraryNames) as LibraryGroup[]).flatMap((group) =>
@@ -98,6 +100,8 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null, 
     { label: t('Light'), icon: 'point', entries: entries('light') },
     ofLibrary(t('Lamps'), 'lamp'),
     ofLibrary(t('Props'), 'mesh'),
+    ofLibrary(t('Behaviour'), 'trigger'),
+    ofLibrary(t('Sky'), 'world'),
     { label: t('Particles'), icon: 'particles', entries: entries('particles', t('Particles')) },
   ];
 }

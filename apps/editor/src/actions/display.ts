@@ -49,7 +49,7 @@ export const showPictureEffects = toggle(
 );
 
 export const continuous = toggle('continuous', 'view.continuous', 'Draw without pause, to see frame rates', 'motion');
-export const showStatistics = toggle('showStatistics', 'view.statistics', 'Figures of the frames', 'chart');
+export const showStatistics = toggle('showStatistics', 'view.statistics', 'Frame statistics', 'chart');
 
 /** Opens the tool that measures the distance between two clicked points. */
 export const measureDistance: Action = {
@@ -62,6 +62,30 @@ export const measureDistance: Action = {
     tools.open(new MeasureTool(viewport));
   },
   checked: ({ tools }) => tools.current?.id === 'measure',
+};
+
+/** Opens the tool that measures the light at a clicked point. */
+export const measureLight: Action = {
+  id: 'view.light-meter',
+  label: 'Light meter',
+  async run({ viewport, tools }) {
+    if (tools.current?.id === 'light-meter') return void tools.end();
+    const { LightMeterTool } = await import('../viewport/illuminance/LightMeterTool');
+    tools.open(new LightMeterTool(viewport));
+  },
+  checked: ({ tools }) => tools.current?.id === 'light-meter',
+};
+
+/** Shows how much light falls on surfaces, by false colours. */
+export const showIlluminance: Action = {
+  id: 'view.illuminance',
+  label: 'False colours of illuminance',
+  async run({ viewport }) {
+    if (viewport.painter?.isIlluminance) return void (viewport.painter = null);
+    const { IlluminancePainter } = await import('../viewport/illuminance/IlluminancePainter');
+    viewport.painter = new IlluminancePainter(viewport);
+  },
+  checked: ({ viewport }) => viewport.painter?.isIlluminance ?? false,
 };
 
 /** Switches between one view, and four: top, front, right and the main one. */

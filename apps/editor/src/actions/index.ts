@@ -7,6 +7,8 @@ import { copy, cut, paste, pasteBelow } from './clipboard';
 import {
   continuous,
   measureDistance,
+  measureLight,
+  showIlluminance,
   nextView,
   quadView,
   resetViews,
@@ -52,7 +54,16 @@ import {
   ungroup,
   unpackPrefab,
 } from './object';
-import { goToMenuBar, maximiseViewport, nextPanel, previousPanel, resetPanels, showPanels, themes } from './panels';
+import {
+  goToMenuBar,
+  maximisePanel,
+  maximiseViewport,
+  nextPanel,
+  previousPanel,
+  resetPanels,
+  showPanels,
+  themes,
+} from './panels';
 import { focus, lookFrom, toggleOrthographic, turns } from './viewpoint';
 import { muteSound, pause, play, playFromCamera, playFromHere, step, stop } from './play';
 import { addKeys, record } from './timeline';
@@ -106,16 +117,16 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
       { submenu: 'Turn the view', actions: turns },
     ],
     bookmarks: [
-      { submenu: 'Kept views', actions: showViews },
+      { submenu: 'Saved views', actions: showViews },
       { submenu: 'Keep this view', actions: keepViews },
     ],
     views: [quadView, nextView, resetViews],
     shading: [{ submenu: 'Shading', actions: [...shadings, showShadings] }],
     picture: [],
     show: [showGrid, showPictureEffects, showIcons, showRanges, showColliders],
-    measure: [measureDistance],
+    measure: [measureDistance, measureLight, showIlluminance],
     figures: [continuous, showStatistics],
-    panels: [maximiseViewport, resetPanels],
+    panels: [maximiseViewport, maximisePanel, resetPanels],
     window: [
       { submenu: 'Go to', actions: [goToMenuBar, nextPanel, previousPanel] },
       { submenu: 'Theme', actions: themes },

@@ -111,8 +111,8 @@ export const newSurfaces: readonly Action[] = [
   newSurface('dissolve', 'Dissolve', () => t('Dissolve')),
   newSurface('rust', 'Rust', () => t('Rust')),
   newSurface('hologram', 'Hologram', () => t('Hologram')),
-  newSurface('directional', 'Thesis: directional light', () => t('Directional light')),
-  newSurface('point', 'Thesis: point light', () => t('Point light')),
-  newSurface('spot', 'Thesis: spot light', () => t('Spot light')),
+  newSurface('directional', 'Phong, directional light', () => t('Directional light')),
+  newSurface('point', 'Phong, point light', () => t('Point light')),
+  newSurface('spot', 'Phong, spot light', () => t('Spot light')),
   newSurface('plain', 'Tint', () => t('Tint')),
 ];

@@ -1,6 +1,7 @@
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import type { Preferences } from '../api/preferences';
+import { MAIN_PANEL } from '../layout/LayoutNode';
 
 /** Focuses a panel once it is rendered. */
 function focusPanel(id: string): void {
@@ -46,9 +47,18 @@ export const maximiseViewport: Action = {
   checked: ({ layout }) => layout.maximised() !== null,
 };
 
+/** The panel with the focus fills the window, or no longer. */
+export const maximisePanel: Action = {
+  id: 'panels.maximise-focused',
+  label: 'Maximise the panel',
+  keys: ['Shift+Space'],
+  icon: 'maximise',
+  run: ({ layout }) => layout.maximise(layout.maximised() === null ? (focusedPanel() ?? MAIN_PANEL) : null),
+};
+
 export const resetPanels: Action = {
   id: 'panels.reset',
-  label: 'Panels as at first',
+  label: 'Reset the panels',
   icon: 'panels',
   run: ({ layout }) => layout.reset(),
 };

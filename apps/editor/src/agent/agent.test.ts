@@ -66,7 +66,7 @@ describe('values of fields', () => {
     );
     expect(store('diffuse', 'red')).toThrow('must be \'#rrggbb\', or linear [r, g, b] of at least 0, not "red".');
     expect(store('castShadow', 1)).toThrow('must be true or false, not 1.');
-    expect(store('color', 1)).toThrow(/^Light has no field “color”\. Its fields are type, diffuse/);
+    expect(store('color', 1)).toThrow(/^Light has no field “color”\. Its fields are type, colourBy, diffuse/);
     for (const name of ['__proto__', 'constructor']) expect(store(name, 1)).toThrow('has no field');
     for (const value of [Number.NaN, Infinity, '1e999', { toString: 1 }, []])
       expect(store('intensity', value)).toThrow('Light.intensity must be');

@@ -1,4 +1,5 @@
 import { type GameObject, Light, type Scene } from '@farol/engine';
+import { formatIntensity } from '@farol/engine/photometry';
 import type { FieldOwner } from '@farol/engine/fields';
 import type { ToolInput } from '@farol/mcp/tools';
 import { Vector3 } from 'three';
@@ -143,7 +144,7 @@ export function getLights({ document, viewport }: EditorApi): object {
         position: triple(light.position),
         ...(type !== 'point' && type !== 'ambient' && { direction: triple(light.direction) }),
         colour: shownValue(fields.diffuse, light.colour),
-        intensity: `${light.intensity} ${fields.intensity.kind === 'number' ? (fields.intensity.unitBy?.units[type] ?? '') : ''}`,
+        intensity: formatIntensity(light),
         ...(!isFar && { range: Number.isFinite(light.reach) ? `${light.reach} m` : 'no end' }),
         shadow: light.castShadow,
       };

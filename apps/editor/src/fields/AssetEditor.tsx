@@ -14,18 +14,17 @@ interface AssetOption extends SearchOption {
   readonly entry: AssetEntry;
 }
 
-/** Label of an asset in the list; clips begin with their own name, before the model's. */
-function nameOf(assets: AssetLibrary, { name, kind, label }: AssetEntry): string {
-  const model = kind === 'clip' ? assets.modelOf(name) : null;
-  if (model !== null) return `${label.replace(/^clip-\d+-/, '')} (${model})`;
-  return kind === 'prefab' ? label : name;
+/** Label of an asset in the list; parts of models begin with their own name, before the model's. */
+function nameOf({ name, kind, label, model, isBuiltin }: AssetEntry): string {
+  if (model !== null) return `${label} (${model})`;
+  return kind === 'prefab' || isBuiltin ? label : name;
 }
 
 const noneOf = (type: AssetField['assetType']): string =>
   ({
     mesh: t('No mesh'),
     texture: t('No texture'),
-    material: t('No material'),
+    material: t('Own material'),
     shader: t('No shader'),
     model: t('No model'),
     script: t('No script'),
@@ -62,7 +61,7 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
     const rank = ({ entry }: AssetOption): number => rankOf(assets, entry, normals);
     return assetEntries(scene)
       .filter(({ kind }) => kind === assetType)
-      .map((entry) => ({ value: entry.name, label: nameOf(assets, entry), entry }))
+      .map((entry) => ({ value: entry.name, label: nameOf(entry), entry }))
       .toSorted((a, b) => rank(a) - rank(b));
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision changes with the library
   }, [scene, assets, assetType, name, revision]);

@@ -1,6 +1,6 @@
 import { AssetLibrary, Scene } from '@farol/engine';
 import { expect, test } from 'vitest';
-import { assetEntries } from './assetKinds';
+import { assetEntries, builtinName } from './assetKinds';
 
 test('a prefab and an asset of one name are two cards, prefabs first and what came with Farol last', () => {
   const scene = new Scene({ assets: new AssetLibrary() });
@@ -16,4 +16,15 @@ test('a prefab and an asset of one name are two cards, prefabs first and what ca
   expect(entries.slice(2).every(({ isBuiltin }) => isBuiltin)).toBe(true);
   expect(entries.filter(({ name }) => name === 'brick').map(({ kind }) => kind)).toEqual(['prefab', 'texture']);
   expect(new Set(entries.map(({ kind, name }) => `${kind}/${name}`)).size).toBe(entries.length);
+});
+
+test('what comes with Farol has names of words, and keeps the name that files use', () => {
+  expect(['box', 'cloth-red', 'marble-normal@512', 'profile/street-light'].map(builtinName)).toEqual([
+    'Box',
+    'Cloth red',
+    'Marble, normal map, 512',
+    'Street light',
+  ]);
+  const entries = assetEntries(new Scene({ assets: new AssetLibrary() }));
+  expect(entries.find(({ name }) => name === 'wood-normal')).toMatchObject({ label: 'Wood, normal map', model: null });
 });

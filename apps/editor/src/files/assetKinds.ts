@@ -22,6 +22,8 @@ export interface AssetEntry {
    * Whether the asset duplicates another one: a built-in texture in another size, or an image used twice in a model.
    */
   readonly isVariant: boolean;
+  /** Model that the asset is a part of; null for none. */
+  readonly model: string | null;
 }
 
 /** Whether a texture is an environment map. */
@@ -44,7 +46,25 @@ export const kindLabel = (kind: AssetKind, isMany = false): string =>
     bake: t('Baked light'),
   })[kind];
 
-const shared = { folder: '', isVariant: false, isBuiltin: false };
+/** Name of a built-in asset in words: 'Marble, normal map, 512' for 'marble-normal@512'. */
+export function builtinName(name: string): string {
+  const [, stem, isNormals, size] = /^(.+?)(-normal)?(?:@(\d+))?$/.exec(splitName(name).leaf)!;
+  const words = t(englishWords(stem));
+  const kind = isNormals === undefined ? words : t('{name}, normal map', { name: words });
+  return size === undefined ? kind : `${kind}, ${size}`;
+}
+
+/** Words of the name of a built-in asset or of a part of one, in English. */
+export const englishWords = (stem: string): string =>
+  stem.charAt(0).toUpperCase() + stem.slice(1).replaceAll(/[-_]/g, ' ');
+
+/** Own name of a part of a model: 'Walk' for 'clip-2-Walk', 'Mesh 2' for 'mesh-2', which has none. */
+function partName(kind: AssetKind, leaf: string): string {
+  const [, number, own] = /^[a-z]+-(\d+)-?(.*)$/.exec(leaf) ?? [];
+  return number === undefined ? leaf : own || `${kindLabel(kind)} ${number}`;
+}
+
+const shared = { folder: '', isVariant: false, isBuiltin: false, model: null };
 
 function prefabEntry({ id, name }: Prefab): AssetEntry {
   const { folder, leaf } = splitName(name);
@@ -64,14 +84,16 @@ function libraryEntry(assets: AssetLibrary, name: string): AssetEntry | null {
   const kind = assets.typeOf(name);
   if (!kind) return null;
   const { folder, leaf } = canRename(assets, name) ? splitName(name) : { folder: '', leaf: name };
-  const isPart = assets.modelOf(name) !== null;
+  const model = assets.modelOf(name);
+  const isBuiltin = assets.isBuiltin(name);
   return {
     ...shared,
     kind,
     name,
-    folder: isPart ? splitName(assets.modelOf(name)!).folder : folder,
-    label: isPart ? splitName(name).leaf : leaf,
-    isBuiltin: assets.isBuiltin(name),
+    model,
+    folder: model !== null ? splitName(model).folder : folder,
+    label: model !== null ? partName(kind, splitName(name).leaf) : isBuiltin ? builtinName(name) : leaf,
+    isBuiltin,
     isVariant: isOtherSize(assets, name),
   };
 }

@@ -149,7 +149,7 @@ async function useSurface(editor: EditorApi, surface: string, place: DropPlace):
   const { surfaceWearers, wearSurface } = await import('../model/surfaceEdits');
   const users = surfaceWearers(place.target ? [place.target] : []);
   if (users.length === 0)
-    throw new Error(t('Drop {name} on an object with a mesh, which wears it.', { name: surface }));
+    throw new Error(t('Drop {name} on an object with a mesh, which then looks so.', { name: surface }));
   const { document, commands } = editor;
   commands.run(wearSurface(surface, users));
   document.selection.set([place.target!.id]);

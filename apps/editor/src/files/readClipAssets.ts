@@ -9,21 +9,28 @@ import { askForHosts } from './askForHosts';
 import { KnownFiles } from './knownAs';
 import { withProgress } from './withProgress';
 
+/** Gives a file by the name that copied assets have for it; null when it is gone. */
+type FileOf = (name: string) => Promise<Blob | null>;
+
 /**
  * Reads assets of copied objects that the scene lacks: files of the clipboard, and URLs after asking about their hosts.
  * Scripts that the user never ran switch off all of the scene's until the user decides. Unreadable assets are reported
  * by name.
  * @param list - each after the assets that it uses
+ * @param fileOf - gives the files that the list names; those of the clipboard when absent
  * @throws AbortError when the user cancelled, and then nothing has changed
  */
 export async function readClipAssets(
   editor: EditorApi,
   list: readonly FileAsset[],
+  fileOf: FileOf = (name) => editor.clipboard.file(name),
 ): Promise<ReadonlyMap<string, ReadAsset>> {
   const { scene, assets, scripts } = editor.document;
   const missing = list.filter((each) => each.values === undefined && nameInScene(scene, each) === null);
   const refused = await askAbout(editor, missing);
-  const read = await withProgress(editor.dialogs, t('Pasting'), (signal) => readAll(editor, missing, refused, signal));
+  const read = await withProgress(editor.dialogs, t('Pasting'), (signal) =>
+    readAll(editor, missing, refused, fileOf, signal),
+  );
   const texts = list.flatMap(({ name, type, values }) => {
     const source = type === 'script' && typeof values?.source === 'string' ? values.source : null;
     return source === null || assets.fieldAsset(name)?.get('source') === source ? [] : source;
@@ -48,6 +55,7 @@ async function readAll(
   editor: EditorApi,
   wanted: readonly FileAsset[],
   refused: ReadonlySet<string>,
+  fileOf: FileOf,
   signal: AbortSignal,
 ): Promise<ReadonlyMap<string, ReadAsset>> {
   const { assets } = editor.document;
@@ -56,7 +64,7 @@ async function readAll(
   try {
     for (const each of wanted) {
       read.set(each.name, null);
-      if (!refused.has(each.name)) read.set(each.name, await readOne(editor, each, read, files, signal));
+      if (!refused.has(each.name)) read.set(each.name, await readOne(editor, each, read, files, fileOf, signal));
     }
   } catch (error) {
     for (const each of read.values()) if (isTaken(each)) each.value?.dispose();
@@ -73,6 +81,7 @@ async function readOne(
   asset: FileAsset,
   read: ReadonlyMap<string, ReadAsset>,
   files: KnownFiles,
+  fileOf: FileOf,
   signal: AbortSignal,
 ): Promise<ReadAsset> {
   const { assets } = editor.document;
@@ -81,7 +90,7 @@ async function readOne(
     editor.notices.show('error', text);
     return null;
   };
-  const blob = asset.file === undefined ? null : await editor.clipboard.file(asset.file);
+  const blob = asset.file === undefined ? null : await fileOf(asset.file);
   if (asset.file !== undefined && blob === null)
     return tell(t('its file is no longer there. Copy it again, in a tab that has it open.'));
   const same = blob && (await files.find(blob, asset.type));

@@ -5,6 +5,7 @@ import { agent } from './es/agent';
 import { animation } from './es/animation';
 import { areaLights } from './es/areaLights';
 import { arrange } from './es/arrange';
+import { assetNames } from './es/assetNames';
 import { bake } from './es/bake';
 import { buildings } from './es/buildings';
 import { components } from './es/components';
@@ -22,6 +23,7 @@ import { picture } from './es/picture';
 import { player } from './es/player';
 import { profiles } from './es/profiles';
 import { rendering } from './es/rendering';
+import { sunAndMoon } from './es/sunAndMoon';
 import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { surfaces } from './es/surfaces';
@@ -43,6 +45,7 @@ export const es: Texts = {
   ...animation,
   ...areaLights,
   ...arrange,
+  ...assetNames,
   ...bake,
   ...buildings,
   ...components,
@@ -59,6 +62,7 @@ export const es: Texts = {
   ...player,
   ...profiles,
   ...rendering,
+  ...sunAndMoon,
   ...triggers,
   ...scripts,
   ...samples,

@@ -2,7 +2,7 @@ import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import { keptInBrowser } from '../model/keptInBrowser';
 import { defaultLayout } from './defaultLayout';
-import { activatePanel, movePanel, type PanelDrop, removePanel, resizeSplit } from './editLayout';
+import { activatePanel, growPanel, movePanel, type PanelDrop, removePanel, resizeSplit } from './editLayout';
 import { groupsOf, groupWith, type LayoutNode, MAIN_PANEL } from './LayoutNode';
 import { openPanel } from './openPanel';
 import type { PanelRegistry } from './PanelRegistry';
@@ -21,7 +21,12 @@ interface LayoutState {
   sheet: string | null;
   /** Share of a small window that this panel takes. */
   share: number;
+  /** Whether the user has sized panels. */
+  isSized: boolean;
 }
+
+/** Greatest share of the window's height that a panel takes by itself. */
+const LARGEST_HEIGHT = 0.45;
 
 /** Least and greatest share of the dock that the panel of a small window takes. */
 const LEAST_SHARE = 0.2;
@@ -40,11 +45,19 @@ export class PanelLayout {
   ) {
     this.store = createStore<LayoutState>()(
       persist(
-        (): LayoutState => ({ stored: null, known: [], maximised: null, isSmall: false, sheet: null, share: 0.5 }),
+        (): LayoutState => ({
+          stored: null,
+          known: [],
+          maximised: null,
+          isSmall: false,
+          sheet: null,
+          share: 0.5,
+          isSized: false,
+        }),
         {
           name: storage,
           storage: keptInBrowser(),
-          partialize: ({ stored, known, share }) => ({ stored, known, share }),
+          partialize: ({ stored, known, share, isSized }) => ({ stored, known, share, isSized }),
         },
       ),
     );
@@ -118,7 +131,9 @@ export class PanelLayout {
     const maximised = this.maximised();
     if (maximised !== null && maximised !== id) this.maximise(null);
     if (this.isSmall()) return this.store.setState({ sheet: id === MAIN_PANEL ? null : id });
-    this.set(openPanel(this.current(), panel, panels.list));
+    const layout = openPanel(this.current(), panel, panels.list);
+    const least = this.store.getState().isSized ? 0 : Math.min(panel.height ?? 0, innerHeight * LARGEST_HEIGHT);
+    this.set(growPanel(layout, id, Math.round(least)));
   }
 
   /** Closes a panel; the last one stays. */
@@ -142,6 +157,7 @@ export class PanelLayout {
    * child (CSS pixels)
    */
   resize(path: readonly number[], sizes: readonly number[]): void {
+    this.store.setState({ isSized: true });
     this.set(resizeSplit(this.current(), path, sizes));
   }
 
@@ -151,7 +167,7 @@ export class PanelLayout {
   }
 
   reset(): void {
-    this.store.setState({ stored: null, known: [], maximised: null });
+    this.store.setState({ stored: null, known: [], maximised: null, isSized: false });
   }
 
   /** Forgets that a panel existed, so that it is opened when it is added again. */

@@ -13,6 +13,11 @@ export interface Panel {
   readonly place: PanelPlace;
   /** Whether the panel is open by default; true when absent. The Panels menu opens others. */
   readonly isOpen?: boolean;
+  /**
+   * Least useful height (CSS pixels): opening the panel at the bottom grows it so far, at most to 45% of the window,
+   * unless the user has sized panels. Any when absent.
+   */
+  readonly height?: number;
   /** Fetches the component when the panel is first in front. Its effects are off while it is behind another panel. */
   load(): Promise<ComponentType>;
 }

@@ -7,6 +7,8 @@ export interface PlacedPanel {
   readonly id: string;
   readonly place: PanelPlace;
   readonly isOpen?: boolean;
+  /** Least useful height (CSS pixels); any when absent. */
+  readonly height?: number;
 }
 
 /** Id of the group at a default place. */

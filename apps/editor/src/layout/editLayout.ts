@@ -1,4 +1,12 @@
-import { type DropSide, groupsOf, type LayoutNode, type LayoutSplit, type PanelGroup } from './LayoutNode';
+import {
+  type DropSide,
+  groupsOf,
+  groupWith,
+  type LayoutNode,
+  type LayoutSplit,
+  MAIN_PANEL,
+  type PanelGroup,
+} from './LayoutNode';
 
 /** Share of a group's extent that a panel put beside it takes. */
 const BESIDE = 0.35;
@@ -115,4 +123,15 @@ export function resizeSplit(layout: LayoutNode, path: readonly number[], sizes: 
   if (first === undefined) return { ...layout, sizes };
   const child = resizeSplit(layout.children[first], rest, sizes);
   return { ...layout, children: layout.children.with(first, child) };
+}
+
+/** Gives a panel at least a height (CSS pixels), where it lies above or below the viewport. */
+export function growPanel(layout: LayoutNode, panel: string, least: number): LayoutNode {
+  if (layout.kind === 'group') return layout;
+  const at = layout.children.findIndex((child) => groupWith(child, panel));
+  if (at < 0) return layout;
+  const child = layout.children[at];
+  if (layout.direction === 'row' || groupWith(child, MAIN_PANEL))
+    return { ...layout, children: layout.children.with(at, growPanel(child, panel, least)) };
+  return layout.sizes[at] < least ? { ...layout, sizes: layout.sizes.with(at, least) } : layout;
 }

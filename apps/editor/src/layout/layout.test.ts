@@ -1,7 +1,7 @@
 import { createRandom } from '@farol/engine';
 import { describe, expect, it } from 'vitest';
 import { defaultLayout, type PlacedPanel } from './defaultLayout';
-import { activatePanel, movePanel, removePanel, resizeSplit } from './editLayout';
+import { activatePanel, growPanel, movePanel, removePanel, resizeSplit } from './editLayout';
 import { type DropSide, groupsOf, groupWith, type LayoutNode } from './LayoutNode';
 import { openPanel } from './openPanel';
 import { EDGE, moveEdge, placeLayout } from './placeLayout';
@@ -52,6 +52,17 @@ describe('the layout of panels', () => {
       height: 800 - 190 - EDGE,
     });
     expect(edges).toHaveLength(3);
+  });
+
+  it('grows a panel at the bottom to a height, no other, and never makes one smaller', () => {
+    const layout = defaultLayout(panels, 800, 1280);
+    const heightOf = (grown: LayoutNode, id: string): number =>
+      placeLayout(grown, 1280, 738).groups.find(({ group }) => group.panels.includes(id))!.rectangle.height;
+    const grown = growPanel(layout, 'console', 340);
+    expect(heightOf(grown, 'console')).toBe(340);
+    expect(heightOf(grown, 'viewport')).toBe(738 - 340 - EDGE);
+    expect(growPanel(grown, 'console', 100)).toEqual(grown);
+    for (const id of ['inspector', 'hierarchy', 'viewport']) expect(growPanel(layout, id, 340)).toEqual(layout);
   });
 
   it('gives panels more of a large window, so that labels and pictures of assets fit', () => {

@@ -1,14 +1,17 @@
 import { type Command, countLabel, t } from '@farol/editing';
 import {
+  Camera,
   CharacterController,
   Collider,
   type Component,
-  type GameObject,
+  GameObject,
   ObjectRenderer,
   RigidBody,
   type Scene,
 } from '@farol/engine';
 import { PlaceComponents } from './commands/PlaceComponents';
+import { Sequence } from './commands/Sequence';
+import { addObject, moveObjects } from './edits';
 
 /** Body type of an object in the physics simulation. */
 export type PhysicsKind = 'dynamic' | 'kinematic' | 'fixed' | 'character';
@@ -50,10 +53,46 @@ function componentsFor(object: GameObject, kind: PhysicsKind): Component[] {
   return made;
 }
 
-/** Makes objects physics bodies: adds a RigidBody, and a collider fitted to the mesh, where they are missing. */
-export function addPhysics(scene: Scene, objects: readonly GameObject[], kind: PhysicsKind): Command {
+/** Height of the eye above the feet of a walking camera (m). */
+const EYE_HEIGHT = 1.65;
+
+/** Commands that put a camera on a new character, which stands below it. @param selected - ids selected now */
+function carryCamera(scene: Scene, camera: GameObject, selected: readonly string[]): (() => Command)[] {
+  const player = new GameObject(t('Player'));
+  player.addComponent(CharacterController);
+  player.tags = ['player'];
+  const { x, y, z } = camera.transform.worldPosition;
+  player.transform.position = [x, y - EYE_HEIGHT, z];
+  return [() => addObject(scene, player, scene, selected), () => moveObjects(scene, [camera], player)];
+}
+
+/**
+ * Makes objects characters. A camera gets one that carries it: a character's origin is at its feet, so a controller on
+ * the camera itself would drop the eye to the floor.
+ * @param selected - ids selected now
+ */
+export function addCharacter(scene: Scene, objects: readonly GameObject[], selected: readonly string[]): Command {
+  const label = countLabel(t('Added physics to'), objects);
+  const seeing = objects.filter((object) => object.getComponent(Camera) && !object.getComponent(CharacterController));
+  const others = objects.filter((object) => !seeing.includes(object));
+  const steps = seeing.flatMap((camera) => carryCamera(scene, camera, selected));
+  if (others.length > 0) steps.push(() => placePhysics(scene, others, 'character'));
+  return new Sequence(label, steps, { done: selected, undone: selected });
+}
+
+const placePhysics = (scene: Scene, objects: readonly GameObject[], kind: PhysicsKind): Command => {
   const places = objects.flatMap((object) =>
     componentsFor(object, kind).map((component, i) => ({ component, object, index: object.components.length + i })),
   );
   return new PlaceComponents(countLabel(t('Added physics to'), objects), scene, 'add', places);
-}
+};
+
+/** Makes objects physics bodies: adds a RigidBody, and a collider fitted to the mesh, where they are missing. */
+export const addPhysics = (scene: Scene, objects: readonly GameObject[], kind: PhysicsKind): Command =>
+  kind === 'character'
+    ? addCharacter(
+        scene,
+        objects,
+        objects.map(({ id }) => id),
+      )
+    : placePhysics(scene, objects, kind);

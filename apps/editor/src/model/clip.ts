@@ -1,4 +1,4 @@
-import { type Command, countLabel, t } from '@farol/editing';
+import { type Command, countLabel, namesOf, t } from '@farol/editing';
 import { ComponentRegistry, GameObject, type Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import {
@@ -180,6 +180,8 @@ const checked = (
   );
 
 export interface PasteOptions {
+  /** Label of the step, from the names of the copies; it tells that they were pasted when absent. */
+  readonly label?: (names: string) => string;
   /** Moves the copies, which are not in the scene yet. */
   readonly place?: (copies: readonly GameObject[]) => void;
   /** Files and addresses read for the scene, by their names in the clipboard; those that the scene has may be left out. */
@@ -199,7 +201,7 @@ export function pasteObjects(
   text: string,
   parent: Container,
   selected: readonly string[],
-  { place = () => {}, read = NOTHING_READ }: PasteOptions = {},
+  { label: labelOf, place = () => {}, read = NOTHING_READ }: PasteOptions = {},
 ): Command {
   const clip = readClip(text);
   const { objects } = clip;
@@ -225,8 +227,9 @@ export function pasteObjects(
   });
   for (const root of made) root.dispose();
   place(copies);
-  const label = countLabel(t('Pasted'), copies);
+  const pasted = countLabel(t('Pasted'), copies);
   nameUniquely(scene, copies);
+  const label = labelOf?.(namesOf(copies)) ?? pasted;
   const end = childrenOf(parent).length;
   const placements = copies.map((object, i) => ({ object, parent, index: end + i }));
   const selection = { done: copies.map(({ id }) => id), undone: selected };

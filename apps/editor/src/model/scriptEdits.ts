@@ -27,15 +27,28 @@ function scriptOf(scene: Scene, name: string): FieldAsset {
   return script;
 }
 
+/** Text of a script, and the class in it. */
+export interface ScriptText {
+  readonly type: string;
+  readonly source: string;
+}
+
 /**
  * Adds a script.
  * @param wanted - name with folder; a number is added when it is taken
  * @param users - objects that get a component of the script, in the same step
+ * @param template - text that it begins with, its class renamed; `scriptTemplate` when absent
  */
-export function addScript(scene: Scene, wanted: string, users: readonly GameObject[] = []): MadeScript {
+export function addScript(
+  scene: Scene,
+  wanted: string,
+  users: readonly GameObject[] = [],
+  template?: ScriptText,
+): MadeScript {
   const { assets } = scene;
   const name = freeScriptName(scene, wanted);
-  const made = newFieldAsset(assets, 'script', name, { source: scriptTemplate(name) });
+  const source = template ? sourceForName(template.source, template.type, name) : scriptTemplate(name);
+  const made = newFieldAsset(assets, 'script', name, { source });
   const label =
     users.length === 0
       ? t('Made script {name}', { name })

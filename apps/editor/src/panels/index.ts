@@ -78,6 +78,7 @@ export const panels: readonly Panel[] = [
     title: 'Scripts',
     icon: 'code',
     place: 'bottom',
+    height: 340,
     load: () => import('./scripts/ScriptsPanel').then(({ ScriptsPanel }) => ScriptsPanel),
   },
   {
@@ -85,6 +86,7 @@ export const panels: readonly Panel[] = [
     title: 'Microshaders',
     icon: 'code',
     place: 'bottom',
+    height: 340,
     load: () => import('./microshaders/MicroShadersPanel').then(({ MicroShadersPanel }) => MicroShadersPanel),
   },
   {
@@ -92,6 +94,7 @@ export const panels: readonly Panel[] = [
     title: 'Timeline',
     icon: 'timeline',
     place: 'bottom',
+    height: 340,
     load: () => import('./timeline/TimelinePanel').then(({ TimelinePanel }) => TimelinePanel),
   },
 ];

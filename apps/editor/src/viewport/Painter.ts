@@ -6,6 +6,8 @@ export interface Painter {
   readonly drawsHelpers: boolean;
   /** Whether the painter shows many images in a grid; overlays such as the camera inset are then hidden. */
   readonly isGrid: boolean;
+  /** Whether the picture is false colours of illuminance, which have a scale. */
+  readonly isIlluminance?: boolean;
   /** Renders to the canvas; the GL viewport must be the whole canvas before and after. */
   render(scene: Scene, camera: Camera): void;
   dispose(): void;

@@ -102,3 +102,20 @@ test('passes that a software rasteriser timed are not called GPU time', () => {
   const { title, description } = passChart(run, defaultSettings)!;
   expect(`${title} ${description}`).not.toContain('GPU');
 });
+
+test('a pass has one colour in the charts of two runs, also where the first has other passes', () => {
+  const one = madeUpRun([10], { deferred: [2] });
+  const passes = (...names: string[]) => ({ kind: 'gpu', passes: names.map((name) => ({ name, ms: 1 })) }) as const;
+  const withPasses = (...names: string[]): LabRun => ({ ...one, rows: [{ ...one.rows[0], passes: passes(...names) }] });
+  const runs = [withPasses('lists', 'G-buffer'), withPasses('G-buffer', 'tiles')];
+  const colours = chartsOf(runs, defaultSettings)
+    .filter(({ key }) => key.startsWith('passes'))
+    .map(({ keys }) => keys!.map(({ label, colour }) => [label, colour(paintOf('dark'))]));
+  const [first, second] = colours.map((list) => Object.fromEntries(list) as Record<string, string>);
+  expect([Object.keys(first), Object.keys(second)]).toEqual([
+    ['lists', 'G-buffer'],
+    ['G-buffer', 'tiles'],
+  ]);
+  expect(second['G-buffer']).toBe(first['G-buffer']);
+  expect(new Set([...Object.values(first), second.tiles]).size).toBe(3);
+});

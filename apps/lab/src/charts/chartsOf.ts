@@ -12,11 +12,16 @@ import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
 /** Charts of a single run; the ending of their keys tells runs apart. */
-const kinds: readonly ((run: LabRun, settings: ChartSettings, ending: string) => ChartSpec[])[] = [
+const kinds: readonly ((
+  run: LabRun,
+  settings: ChartSettings,
+  ending: string,
+  runs: readonly LabRun[],
+) => ChartSpec[])[] = [
   (run, settings, ending) => mapCharts(run, settings, `map${ending}`),
   (run, settings, ending) => listed(thesisChart(run, settings, `thesis${ending}`)),
   (run, settings, ending) => listed(regretChart(run, settings, `regret${ending}`)),
-  (run, settings, ending) => listed(passChart(run, settings, `passes${ending}`)),
+  (run, settings, ending, runs) => listed(passChart(run, settings, `passes${ending}`, runs)),
   (run, settings, ending) => listed(changeChart(run, settings, `changes${ending}`)),
 ];
 
@@ -37,7 +42,7 @@ export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): Char
   const names = runNames(runs);
   const single = kinds.flatMap((make) =>
     visible.flatMap((run, i) => {
-      const charts = make(run, settings, i === 0 ? '' : `-run-${i + 1}`);
+      const charts = make(run, settings, i === 0 ? '' : `-run-${i + 1}`, visible);
       return runs.length === 1 ? charts : charts.map((chart) => ({ ...chart, title: `${chart.title}: ${names[i]}` }));
     }),
   );

@@ -12,8 +12,16 @@ import { type ChartRow, drawRows } from './drawRows';
 const MOST = 7;
 const REST = 'other passes';
 
-/** Bars by pass of each technique in one case; null if no passes were measured. */
-export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'): ChartSpec | null {
+/**
+ * Bars by pass of each technique in one case; null if no passes were measured.
+ * @param runs - runs of the page: a pass has one colour in the charts of all of them
+ */
+export function passChart(
+  run: LabRun,
+  settings: ChartSettings,
+  key = 'passes',
+  runs: readonly LabRun[] = [run],
+): ChartSpec | null {
   const cases = casesOf(run).flatMap(({ series, index, label }) => {
     const rows = run.rows.filter((row) => row.series === series.name && row.index === index && passTotal(row) > 0);
     return rows.length > 0 ? [{ label, rows }] : [];
@@ -24,7 +32,11 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
   const rows = cases[selected].rows.toSorted((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
   const isTimed = rows.every((row) => row.passes!.kind === 'gpu');
   const kind = !isTimed ? 'CPU' : isSoftware(run.surroundings.device) ? 'Rasteriser' : 'GPU';
-  const names = passNames(cases.flatMap((each) => each.rows));
+  const names = passNames(runs.flatMap((each) => each.rows.filter((row) => passTotal(row) > 0)));
+  const all = new Set(
+    cases.flatMap((each) => each.rows.flatMap((row) => segments(row, names).map(({ name }) => name))),
+  );
+  const used = names.filter((name) => all.has(name));
   const most = Math.max(...rows.map(passTotal));
   const drawn = rows.map((row): ChartRow => {
     let from = 0;
@@ -61,14 +73,14 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
         : []),
     ],
     table: {
-      columns: [t('Technique'), ...names, t('Sum, ms')],
+      columns: [t('Technique'), ...used.map((name) => t(name)), t('Sum, ms')],
       rows: rows.map((row) => {
         const found = new Map(segments(row, names).map(({ name, ms }) => [name, ms]));
-        const cells = names.map((name) => (found.has(name) ? formatNumber(found.get(name)!) : '–'));
+        const cells = used.map((name) => (found.has(name) ? formatNumber(found.get(name)!) : '–'));
         return [competitorLabel(row.competitor), ...cells, formatNumber(passTotal(row))];
       }),
     },
-    keys: names.map((name) => ({ label: t(name), colour: fillOf(names, name) })),
+    keys: used.map((name) => ({ label: t(name), colour: fillOf(names, name) })),
     choice: { label: t('Case'), options: cases.map((each) => each.label), selected },
     draw: (options) =>
       drawRows(

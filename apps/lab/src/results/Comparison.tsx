@@ -3,6 +3,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import { compareRuns, type ComparedRow } from './compareRuns';
+import { compareSpreads, SAME } from '../words/compareSpreads';
 import { formatDate, formatNumber } from '../words/format';
 import { competitorLabel, namedValue } from '../words/names';
 import { seriesLabel } from '../words/seriesLabel';
@@ -14,9 +15,6 @@ const metrics: Readonly<Record<Metric, string>> = {
   frame: 'Time of a frame',
   cpu: 'CPU time in the call that draws',
 };
-
-/** Relative difference below which two times count as equal. */
-const SAME = 0.03;
 
 /** Two runs side by side: their differences, a mean for each competitor, and every case that both have. */
 export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
@@ -111,14 +109,16 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
           </tr>
         </thead>
         <tbody>
-          {rows.map(({ competitor, labCase, value, a, b, ratio }) => (
+          {rows.map(({ competitor, labCase, value, a, b, ratio, times }) => (
             <tr key={`${value} ${competitor}`}>
               <th scope="row">{caseWord(rows[0].series, labCase, value)}</th>
               <td class="text">{competitorLabel(competitor)}</td>
               <td>{digits(a)}</td>
               <td>{digits(b)}</td>
               <td>{digits(ratio)}</td>
-              <td class={`text ${kindOf(ratio)}`}>{ratioWords(ratio)}</td>
+              <td class={`text ${isTie(times) ? 'same' : kindOf(ratio)}`}>
+                {isTie(times) ? t('a tie: within the spread') : ratioWords(ratio)}
+              </td>
             </tr>
           ))}
         </tbody>
@@ -126,6 +126,9 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
     </div>
   );
 }
+
+/** Whether the charts call the two times a tie, see `compareSpreads`. */
+const isTie = (times: ComparedRow['times']): boolean => times !== null && compareSpreads(...times) === 0;
 
 /** Label of a case before its figures. */
 function caseWord({ axis }: LabSeries, { width, height }: LabCase, value: number): string {

@@ -96,7 +96,12 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
       <div class="library-head">
         <h2 id="library-title">{t('Saved runs')}</h2>
         <div class="library-buttons">
-          <button type="button" disabled={pair.length < 2} onClick={() => void compare()}>
+          <button
+            type="button"
+            disabled={pair.length < 2}
+            aria-describedby="compare-needs"
+            onClick={() => void compare()}
+          >
             {t('Compare two')}
           </button>
           <button type="button" onClick={() => input.current?.click()}>
@@ -117,6 +122,9 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
           />
         </div>
       </div>
+      <p id="compare-needs" class="dim" hidden={pair.length === 2 || readers.size < 2}>
+        {t('To compare two runs, check the boxes before them.')}
+      </p>
       <div role="alert">
         {[...problems, ...(kept.problem === null ? [] : [kept.problem])].map((problem) => (
           <p key={problem} class="problem">

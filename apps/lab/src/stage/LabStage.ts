@@ -1,3 +1,4 @@
+import { clearLearnt, learntChoices } from '@farol/renderer';
 import { type Counters, installCounters } from '@farol/tools/benchCounters';
 import { loadCompetitor } from '../competitors';
 import { smallFirstFrame } from '../competitors/smallFirstFrame';
@@ -117,6 +118,14 @@ export class LabStage implements Stage {
   async drawNormals(way: NormalsWay, size: { width: number; height: number }): Promise<NormalsPicture> {
     return (await import('../normals/drawNormals')).drawNormals(way, size);
   }
+
+  async learn(labCase: LabCase, signal: AbortSignal, onShare: (share: number) => void): Promise<void> {
+    const { learnCase } = await import('./learnCase');
+    await learnCase(await this.scenes.build(labCase), signal, onShare);
+  }
+
+  learnt = learntChoices;
+  clearLearnt = clearLearnt;
 
   private get(name: string): OpenCompetitor {
     const open = this.competitors.get(name);

@@ -1,3 +1,4 @@
+import type { LearntChoice } from '@farol/renderer';
 import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import type { LabCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
@@ -55,6 +56,11 @@ export interface Stage {
   setOwnScene(file: Uint8Array): Promise<void>;
   /** Graphics device by WEBGL_debug_renderer_info, its abilities, and the name of the WebGPU adapter. */
   device(): Promise<{ renderer: string; timer: boolean; software: boolean; webgpu: string | null }>;
+  /** Lets `auto` learn in a case, see `learnCase`. Missing in older builds, as are the next two. */
+  learn?(labCase: LabCase, signal: AbortSignal, onShare: (share: number) => void): Promise<void>;
+  /** Verdicts that `auto` has learnt in this browser. */
+  learnt?(): Promise<LearntChoice[]>;
+  clearLearnt?(): Promise<void>;
   /**
    * Draws one of the two pictures of figure 4.3 of the thesis. Missing in older builds.
    *

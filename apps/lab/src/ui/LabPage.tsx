@@ -18,6 +18,7 @@ import { isEmptyRun } from './results/whyIncomplete';
 import { RunActions } from './results/RunActions';
 import { RunChoice } from './results/RunChoice';
 import { LanguageSelect } from './LanguageSelect';
+import { Learning } from './Learning';
 import { NormalsFigure } from './NormalsFigure';
 import { RunPanel } from './RunPanel';
 import { Setup } from './Setup';
@@ -99,6 +100,8 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
       </header>
       <main>
         <Hero
+          run={run}
+          isReference={!isRunning && displayed.isReference}
           stage={stage}
           isBusy={isRunning || isStarting}
           onMeasure={() => void measure(quickFor({ software: stage.device?.software ?? false }))}
@@ -171,6 +174,7 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
                 onRename={(id, name) => displayed.run?.id === id && displayed.show({ ...displayed.run, name })}
               />
             </section>
+            <Learning stage={stage} isBusy={isRunning || isStarting} />
             <ThesisConclusions />
             <NormalsFigure isMeasuring={isRunning} />
           </div>

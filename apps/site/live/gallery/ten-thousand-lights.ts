@@ -25,7 +25,7 @@ import { ImprovedNoise } from 'three/addons/math/ImprovedNoise.js';
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
-const farol = new FarolRenderer(webgl, { technique: 'tiled-deferred' });
+const farol = new FarolRenderer(webgl);
 
 const scene = new Scene();
 scene.background = new Color(0x020308);

@@ -56,6 +56,7 @@ interface FieldBase {
   readonly readOnly?: boolean;
 }
 
+/** A field that holds a finite number. */
 export interface NumberField extends FieldBase {
   readonly kind: 'number';
   readonly default: number;
@@ -70,6 +71,8 @@ export interface NumberField extends FieldBase {
   /** Step of one notch when a number is scrubbed. */
   readonly step?: number;
   readonly integer?: boolean;
+  /** Amount shown for 1 of the stored number, in an editor with a unit of its own. */
+  readonly scale?: number;
   /** Kind of number that editors have a control for: a light's intensity in its unit, a colour temperature. */
   readonly input?: 'intensity' | 'temperature';
 }
@@ -84,11 +87,13 @@ export interface AngleField extends FieldBase {
   readonly step?: number;
 }
 
+/** A field that holds true or false. */
 export interface BooleanField extends FieldBase {
   readonly kind: 'boolean';
   readonly default: boolean;
 }
 
+/** A field that holds text. */
 export interface StringField extends FieldBase {
   readonly kind: 'string';
   readonly default: string;
@@ -98,6 +103,7 @@ export interface StringField extends FieldBase {
   readonly input?: 'key';
 }
 
+/** A field that holds one of several names. */
 export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
@@ -106,6 +112,7 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
+/** A field that holds three numbers, x, y and z. */
 export interface Vector3Field extends FieldBase {
   readonly kind: 'vector3';
   readonly default: Vector3Tuple;
@@ -149,6 +156,7 @@ export interface GradientField extends FieldBase {
   readonly default: Gradient;
 }
 
+/** Types of assets that a field may name. */
 export type AssetType =
   | 'mesh'
   | 'texture'
@@ -194,6 +202,7 @@ export interface CustomField extends FieldBase {
   readonly default: FieldValue;
 }
 
+/** Declaration of a field, of any kind. */
 export type Field =
   | NumberField
   | AngleField
@@ -209,8 +218,11 @@ export type Field =
   | ObjectField
   | CustomField;
 
+/** Kinds of fields. */
 export type FieldKind = Field['kind'];
+/** Declarations of fields by name. */
 export type FieldTable = Readonly<Record<string, Field>>;
+/** Values that fields can have, and files can hold. */
 export type FieldValue = number | boolean | string | null | Vector3Tuple | Curve | Gradient;
 
 /** The type of a field's value. */

@@ -18,6 +18,8 @@ export interface FieldDescription {
   readonly max?: number;
   /** Amount by which an arrow key changes the value. */
   readonly step?: number;
+  /** Amount shown for 1 of the stored number, for a field in a unit of the user's choice; 1 when absent. */
+  readonly scale?: number;
   /** Whether only whole numbers are allowed. */
   readonly integer?: boolean;
 }

@@ -23,7 +23,8 @@ const same = (value: number): number => value;
 
 /** The display of a number, of the coordinates of a vector, and of angles, which are shown in degrees. */
 export function numberDisplay(field: FieldDescription): NumberDisplay {
-  const { min, max, unit } = field;
+  const { min, max, unit, scale = 1 } = field;
+  if (scale !== 1) return scaled(field, scale);
   if (field.kind !== 'angle' && field.kind !== 'euler') {
     return { unit, min, max, step: stepOf(field), toShown: same, fromShown: field.integer ? Math.round : same };
   }
@@ -39,5 +40,21 @@ export function numberDisplay(field: FieldDescription): NumberDisplay {
       const radians = toRadians(shown);
       return limits.find((limit) => Math.abs(limit - radians) < ROUNDING) ?? radians;
     },
+  };
+}
+
+/** Digits that a number keeps on its way to another unit. */
+const DIGITS = 7;
+
+/** The display of a number in another unit; its step is a power of ten times as large. */
+function scaled(field: FieldDescription, scale: number): NumberDisplay {
+  const { min, max, unit } = field;
+  return {
+    unit,
+    min: min === undefined ? undefined : min * scale,
+    max: max === undefined ? undefined : max * scale,
+    step: stepOf(field) * 10 ** Math.round(Math.log10(scale)),
+    toShown: (value) => Number((value * scale).toPrecision(DIGITS)),
+    fromShown: (shown) => shown / scale,
   };
 }

@@ -102,3 +102,10 @@ describe('numbers as they are shown', () => {
     expect(roundToStep(30 + 10, 10)).toBe(40);
   });
 });
+
+it('numbers are shown and typed in a unit of the user’s choice, in steps as fine', () => {
+  const shown = numberDisplay(field('number', { unit: 'lm', min: 0, step: 0.1, scale: 4 * Math.PI, help: '' }));
+  expect([shown.unit, shown.min, shown.step]).toEqual(['lm', 0, 1]);
+  expect(shown.toShown(69.232401)).toBe(870);
+  expect(shown.fromShown(870)).toBeCloseTo(69.2324, 4);
+});

@@ -138,6 +138,9 @@ export const materialAssetFields: FieldTable = {
     visibleWhen: { field: 'doubleSided', equals: [false] },
   }),
   ...Object.assign({}, ...materialMapNames.map(fieldsOfMap)),
-  surface: asset('surface', null, { help: 'GLSL that changes how it looks, and its shape.', label: 'Wears' }),
+  surface: asset('surface', null, {
+    help: 'Waves, rust, snow and the like: GLSL that changes look and shape.',
+    label: 'Surface effect',
+  }),
   ...surfaceValueFields,
 };

@@ -92,3 +92,8 @@ export const creaseAngleField = angle(Math.PI / 6, {
   help: 'For meshes without normals: faces that meet at less are smooth, at more they show an edge.',
   label: 'Crease angle',
 });
+
+/** `materialFields` as a group of an ObjectRenderer. */
+export const ownMaterialFields = Object.fromEntries(
+  Object.entries(materialFields).map(([name, field]) => [name, { ...field, group: 'Own material' }]),
+) as unknown as typeof materialFields;

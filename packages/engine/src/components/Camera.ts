@@ -3,6 +3,7 @@ import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
 import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { Transform } from '../core/Transform';
+import { exposureFields } from '../settings/exposureFields';
 import { focusFields } from '../settings/focusFields';
 import { toneMappingLabels, toneMappingNames } from '../settings/toneMappings';
 
@@ -42,11 +43,12 @@ export class Camera extends component({
     label: 'Tone mapping',
     optionLabels: { scene: 'Of the scene', ...toneMappingLabels },
   }),
+  ...exposureFields('scene', 'Of the scene'),
   exposureCompensation: number(0, {
     min: -20,
     max: 20,
     step: 0.1,
-    help: 'Steps of exposure beside the scene’s: 1 is twice the light, -1 half of it. Needs a tone mapping.',
+    help: 'Steps of exposure beside the rest: 1 is twice the light, -1 half of it. Needs a tone mapping.',
     label: 'Exposure compensation',
   }),
   depthOfField: choice('scene', ['scene', 'off', 'own'], {

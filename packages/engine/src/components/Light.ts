@@ -33,6 +33,9 @@ const makers: Record<string, () => AnyLight> = {
   tube: () => new RectAreaLight(),
 };
 
+/** Solid angles of profiles, each an integral over the sphere. */
+const solidAngles = new WeakMap<PhotometricProfile, number>();
+
 const softened = new WeakSet<Scene>();
 
 /** Reapplies the fields of a scene's lights whenever its `shadowSoftness` changes. */
@@ -60,6 +63,7 @@ export class Light extends component(lightFields) {
   static override readonly newObjects: readonly NewObject[] = newLights;
 
   private light: AnyLight | null = null;
+  private given: Parameters<Light['give']>[0] = null;
   /** Intensity of the three light before its group's dimmer. */
   private fullIntensity = 1;
   /** Name of the photometric profile that is being loaded; null for none. */
@@ -83,12 +87,27 @@ export class Light extends component(lightFields) {
 
   /** Linear colour: `diffuse`, or that of the temperature (luminance 1) where the colour is by temperature. */
   get colour(): Vector3Tuple {
-    return colourOfLight(this);
+    return this.given?.colour ?? colourOfLight(this);
+  }
+
+  /** @internal Light of another component's in place of the fields'; null gives them back. Not an edit. */
+  give(light: { readonly colour: Vector3Tuple; readonly intensity: number } | null): void {
+    this.given = light;
+    if (this.light) this.applyFields();
   }
 
   /** Whether the light shines from a rectangle, a disc or a tube, of `width` and `height`. */
   get isArea(): boolean {
     return this.type === 'rectangle' || this.type === 'disc' || this.type === 'tube';
+  }
+
+  /** Solid angle (sr) by which a profile's largest intensity gives its lumens; null for none, and until it is loaded. */
+  get profileSolidAngle(): number | null {
+    const profile = this.takeProfile();
+    if (!profile || profile.maximumIntensity === 0) return null;
+    let angle = solidAngles.get(profile);
+    if (angle === undefined) solidAngles.set(profile, (angle = profile.luminousFlux / profile.maximumIntensity));
+    return angle;
   }
 
   /** Range of the light (m); Infinity without a limit. */
@@ -152,7 +171,10 @@ export class Light extends component(lightFields) {
   /** @internal Writes all fields to the three light. */
   applyFields(): void {
     const { three } = this;
+    const { given } = this;
     applyLightFields(this, three, this.scene?.settings.shadowSoftness);
+    if (given) three.color.setRGB(...given.colour);
+    if (given) three.intensity = given.intensity;
     if (three instanceof PointLight || three instanceof SpotLight) {
       const profile = this.takeProfile();
       storeLightOptions(three, { profile: profile?.texture });

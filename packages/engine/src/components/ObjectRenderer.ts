@@ -1,6 +1,6 @@
 import { asset, boolean } from '@farol/editing/fields';
 import { type BufferGeometry, type Material, Mesh } from 'three';
-import { creaseAngleField, materialFields } from '../assets/materialFields';
+import { creaseAngleField, ownMaterialFields } from '../assets/materialFields';
 import { component } from '../core/Component';
 import type { FieldViews } from '../fields/FieldOwner';
 import type { Scene } from '../core/Scene';
@@ -17,7 +17,7 @@ const flags = new Set(['render', 'castShadow', 'receiveShadow']);
  */
 export class ObjectRenderer extends component({
   mesh: asset('mesh', 'box', { help: 'Shape of the object.' }),
-  render: boolean(true, { help: 'Whether the shape is drawn.' }),
+  render: boolean(true, { help: 'Whether the shape is seen; its other components work on.', label: 'Visible' }),
   creaseAngle: creaseAngleField,
   castShadow: boolean(false, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
   receiveShadow: boolean(false, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
@@ -33,7 +33,7 @@ export class ObjectRenderer extends component({
     help: 'A material of the library, such as one of an imported model.',
     visibleWhen: { field: 'shader', equals: [null] },
   }),
-  ...materialFields,
+  ...ownMaterialFields,
   ...objectSurfaceFields,
   surface: { ...objectSurfaceFields.surface, visibleWhen: { field: 'shader', equals: [null] } },
 }) {
@@ -202,9 +202,12 @@ export class ObjectRenderer extends component({
     return null;
   }
 
-  private materialValues(): Pick<this, keyof typeof materialFields> {
-    const names = Object.keys(materialFields);
-    return Object.fromEntries(names.map((name) => [name, this.get(name)])) as Pick<this, keyof typeof materialFields>;
+  private materialValues(): Pick<this, keyof typeof ownMaterialFields> {
+    const names = Object.keys(ownMaterialFields);
+    return Object.fromEntries(names.map((name) => [name, this.get(name)])) as Pick<
+      this,
+      keyof typeof ownMaterialFields
+    >;
   }
 
   private applyFlags(): void {

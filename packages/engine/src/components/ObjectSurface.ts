@@ -12,8 +12,8 @@ import { type Material, type Mesh, Sphere } from 'three';
 /** Fields of a component with a surface of its own. */
 export const objectSurfaceFields = {
   surface: asset('surface', null, {
-    help: 'A surface for this object alone, over what its material wears. It has values of its own.',
-    label: 'Wears',
+    help: 'Waves, rust, snow and the like for this object alone, over the effect of its material. It has values of its own.',
+    label: 'Surface effect',
   }),
   ...surfaceValueFields,
 };

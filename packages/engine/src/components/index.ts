@@ -8,6 +8,7 @@ import { Camera } from './Camera';
 import { CharacterController } from './CharacterController';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { FogVolume } from './FogVolume';
 import { Grabbable } from './Grabbable';
 import { Joint } from './Joint';
 import { EventTrigger } from './EventTrigger';
@@ -19,6 +20,7 @@ import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { ParticleEmitter } from './ParticleEmitter';
 import { RandomMovement } from './RandomMovement';
+import { SunAndMoon } from './SunAndMoon';
 import { RigidBody } from './RigidBody';
 import { Room } from './Room';
 import { Wall } from './Wall';
@@ -32,9 +34,11 @@ const components = [
   Animation,
   Animator,
   Light,
+  SunAndMoon,
   LightGroup,
   Camera,
   Decal,
+  FogVolume,
   Wall,
   Room,
   ParticleEmitter,

@@ -7,6 +7,7 @@ export {
   LOWEST_KELVIN,
   luminanceOf,
 } from './colourTemperature';
+export { evOfCamera, evOfIlluminance, evOfLuminance, exposureOfEV } from './exposure';
 export { lampEfficacies, type LampKind, lampKinds } from './lampKinds';
 export { type LightPreset, lightPresets, valuesOfPreset } from './lightPresets';
 export {

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { chromaticityOf, colourOfKelvin, lightOfKelvin, luminanceOf } from './colourTemperature';
+import { evOfCamera, evOfIlluminance, evOfLuminance, exposureOfEV } from './exposure';
 import { lampEfficacies } from './lampKinds';
 import { lightPresets, valuesOfPreset } from './lightPresets';
 import { type IntensityUnit, type PhotometricLight, solidAngleOf, unitFactor, unitsFor } from './lightUnits';
@@ -133,8 +134,15 @@ describe('solid angles and units', () => {
   test('units that a type does not have are not shown', () => {
     const measured = { ...light({ type: 'directional' }), intensity: 3, intensityUnit: 'lumen' as const };
     expect([shownUnit(measured), formatIntensity(measured)]).toEqual(['lux', '3 lx']);
-    expect(unitsFor({ type: 'point', profile: 'down' })).toEqual(['candela']);
   });
+});
+
+test('a light with a profile has the lumens of its file, and its units once the file is there', () => {
+  const shaped = light({ profile: 'down', profileSolidAngle: Math.PI });
+  expect(unitFactor(shaped, 'lumen')).toBe(Math.PI);
+  expect(unitsFor(light({ profile: 'down', profileSolidAngle: null }))).toEqual(['candela']);
+  expect(unitsFor({ ...shaped, profileIntensity: true })).toEqual(['candela']);
+  expect(unitsFor({ ...shaped, type: 'spot' })).toEqual(['candela']);
 });
 
 describe('presets', () => {
@@ -150,5 +158,27 @@ describe('presets', () => {
   test('a bulb of 60 W is 69 cd, a candle 1 cd', () => {
     expect(valuesOfPreset(lightPresets.bulb60, light({})).intensity).toBeCloseTo(69.23, 1);
     expect(valuesOfPreset(lightPresets.candle, light({})).intensity).toBe(1);
+  });
+});
+
+describe('exposure', () => {
+  // ISO 2720: exposure values of f-numbers and times in whole steps
+  test.each([
+    [1, 1, 100, 0],
+    [1.4, 1, 100, 1],
+    [16, 1 / 125, 100, 15],
+    [2.8, 1 / 60, 800, 6],
+    [5.6, 1 / 30, 400, 8],
+  ])('f/%d, %d s, ISO %d is EV %d', (aperture, time, iso, ev) => {
+    expect(Math.abs(evOfCamera(aperture, time, iso) - ev)).toBeLessThan(0.15);
+  });
+
+  test('meters: 4,096 cd/m² and 81,920 lx are EV 15', () => {
+    expect([evOfLuminance(4096), evOfIlluminance(81920)]).toEqual([15, 15]);
+  });
+
+  test('an evenly lit picture at its own exposure is as bright as the saturation based speed says, 10.4%', () => {
+    for (const luminance of [0.01, 1, 4096])
+      expect(luminance * exposureOfEV(evOfLuminance(luminance))).toBeCloseTo(12.5 / (100 * 1.2), 6);
   });
 });

@@ -52,8 +52,8 @@ export const characterFields = {
   centre: vector3([0, 0.9, 0], {
     unit: 'm',
     step: 0.05,
-    help: 'Middle of the capsule in the space of the object: half the height above its feet.',
-    label: 'Middle',
+    help: 'Centre of the capsule in the space of the object: half the height above its feet.',
+    label: 'Centre',
     ...body,
   }),
   pushes: boolean(true, { help: 'It pushes dynamic bodies that are in its way.', label: 'Pushes bodies', ...body }),

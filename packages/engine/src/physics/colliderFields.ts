@@ -42,6 +42,7 @@ export const colliderFields = {
     ...standing,
   }),
   sensor: boolean(false, {
+    label: 'Trigger only',
     help: 'It stops nothing, and tells what comes in and goes out: onTriggerEnter, onTriggerExit.',
   }),
   friction: number(0.5, {

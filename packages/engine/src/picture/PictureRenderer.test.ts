@@ -9,6 +9,7 @@ import { loadEffects } from '@farol/renderer/effects';
 import {
   Color,
   EventDispatcher,
+  LinearToneMapping,
   NoToneMapping,
   PCFShadowMap,
   ReinhardToneMapping,
@@ -114,6 +115,34 @@ test("tone mapping reaches the renderer for the frame alone, with the camera's o
   expect(farol.frames[1]).toEqual(['auto', ReinhardToneMapping, 4, 0.5]);
   expect((scene.three.background as Color).r).toBe(0.25);
   expect([farol.webgl.toneMapping, farol.webgl.toneMappingExposure]).toEqual([NoToneMapping, 1]);
+});
+
+test('exposure is by a number, an exposure value or a camera’s settings, which the camera’s own go before', () => {
+  const scene = new Scene();
+  const camera = new Camera();
+  scene.add(new GameObject('Camera').addComponent(camera).gameObject);
+  const farol = makeFarol('forward-single-pass');
+  const picture = new PictureRenderer(farol, { failed });
+  const exposureOf = (change: () => void): unknown => {
+    change();
+    picture.render(scene, camera.three, camera);
+    return (farol.frames.at(-1) as unknown[]).slice(1, 3);
+  };
+  // without a tone mapping it is linear, but not for the factor, which needs one
+  expect(exposureOf(() => (scene.settings.exposure = 3))).toEqual([NoToneMapping, 1]);
+  Object.assign(scene.settings, { exposureBy: 'value', exposureValue: 3 });
+  expect(exposureOf(() => {})).toEqual([LinearToneMapping, 1 / (1.2 * 8)]);
+  expect(exposureOf(() => (camera.exposureCompensation = 1))).toEqual([LinearToneMapping, 1 / (1.2 * 4)]);
+  // sunny 16: EV 15
+  Object.assign(camera, {
+    exposureBy: 'camera',
+    aperture: 16,
+    shutterTime: 1 / 128,
+    iso: 100,
+    exposureCompensation: 0,
+  });
+  expect(exposureOf(() => {})).toEqual([LinearToneMapping, expect.closeTo(1 / (1.2 * 2 ** 15), 12)]);
+  expect(exposureOf(() => (scene.settings.toneMapping = 'reinhard'))).toEqual([ReinhardToneMapping, expect.anything()]);
 });
 
 test('effects forget the frames that they have gathered when tones change, and not else', async () => {

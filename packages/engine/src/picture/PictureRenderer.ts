@@ -27,6 +27,7 @@ export interface ScenePainter {
   render(scene: ThreeScene, camera: Camera): void;
 }
 
+/** Options of the constructor of PictureRenderer. */
 export interface PictureRendererOptions {
   /** Called when a frame is to be drawn, for hosts that draw none unless asked to. */
   readonly redraw?: () => void;
@@ -158,6 +159,7 @@ export class PictureRenderer {
     }
     this.shadows.follow(settings);
     this.effects.update(settings);
+    this.effects.setTime(scene.time);
   }
 
   /**
@@ -246,7 +248,7 @@ export class PictureRenderer {
     }
     // three applies tone mapping only when it draws to the canvas
     const isApart = this.farol.webgl.getRenderTarget() !== null && look.toneMapping !== NoToneMapping;
-    if (!has && !isApart) return null;
+    if (!has && !isApart && look.automatic === null) return null;
     const code = this.ask();
     if (code === null || !code.PictureChain.isPossible(this.farol.webgl)) return null;
     this.chain ??= this.makeChain(code);

@@ -5,6 +5,7 @@ import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, FieldOwner } from '../fields/FieldOwner';
 import { bakeFields } from './bakeFields';
 import { fogFields, pictureFields, skyFields } from './pictureFields';
+import type { DaySky } from './sky/dayLook';
 import type { Sky } from './sky/makeSky';
 import { SkySource } from './sky/SkySource';
 
@@ -30,6 +31,7 @@ export class SceneSettings extends FieldOwner {
 
   private environmentTexture: Texture | null = null;
   private readonly skySource = new SkySource(() => this.apply());
+  private day: DaySky | null = null;
   private count = 0;
 
   /** @param changed - called after a setting got another value; `before` is the value until then */
@@ -59,6 +61,12 @@ export class SceneSettings extends FieldOwner {
     return this.skySource.ready;
   }
 
+  /** @internal Shows the sky of a day in place of the one that the settings ask for, null that one; not an edit. */
+  showDay(day: DaySky | null): void {
+    this.day = day;
+    this.apply();
+  }
+
   protected override get assetNames(): AssetNames {
     return this.assets;
   }
@@ -79,14 +87,17 @@ export class SceneSettings extends FieldOwner {
   private apply(): void {
     const { three } = this;
     this.count++;
-    const sky = this.skySource.of(this);
+    const { day } = this;
+    const sky = this.skySource.of(this, day);
     this.applyEnvironment(three, sky);
     const seen = sky ? sky.texture : this.background === 'environment' ? this.environmentTexture : null;
     three.background = seen ?? new Color().setRGB(...this.backgroundColour);
-    three.environmentIntensity = this.environmentIntensity;
-    three.backgroundIntensity = this.environmentIntensity * this.backgroundIntensity;
+    const { illuminance = null } = day ?? {};
+    const brightness = sky?.irradiance && illuminance !== null ? illuminance / sky.irradiance : 1;
+    three.environmentIntensity = this.environmentIntensity * brightness;
+    three.backgroundIntensity = three.environmentIntensity * this.backgroundIntensity;
     three.backgroundBlurriness = this.background === 'gradient' ? 0 : this.backgroundBlur;
-    three.backgroundRotation.y = three.environmentRotation.y = this.backgroundRotation;
+    three.backgroundRotation.y = three.environmentRotation.y = day ? 0 : this.backgroundRotation;
     this.applyFog(three, sky);
   }
 
@@ -100,13 +111,13 @@ export class SceneSettings extends FieldOwner {
   }
 
   private applyEnvironment(three: ThreeScene, sky: Sky | null): void {
-    const isSky = this.background === 'sky' || this.background === 'gradient';
+    const isSky = this.day !== null || this.background === 'sky' || this.background === 'gradient';
     const name = isSky ? null : this.environment;
     const { assets } = this;
     if (name === null) this.useTexture(null);
     else if (assets.isReady('texture', name)) this.useTexture(assets.texture(name));
     else assets.whenReady('texture', name, () => this.environment === name && this.apply());
-    three.environment = sky && this.skyLight ? sky.texture : this.environmentTexture;
+    three.environment = sky && (this.day !== null || this.skyLight) ? sky.texture : this.environmentTexture;
   }
 
   private useTexture(texture: Texture | null): void {

@@ -11,6 +11,7 @@ import {
   string,
 } from '@farol/editing/fields';
 import { antialiasingEffects, effectEntries, effectFields } from './effectFields';
+import { exposureFields } from './exposureFields';
 import { focusFields } from './focusFields';
 import { toneMappingLabels, toneMappingNames } from './toneMappings';
 
@@ -169,12 +170,16 @@ export const toneMappingFields = {
     label: 'Tone mapping',
     optionLabels: toneMappingLabels,
   }),
+  ...exposureFields('factor', 'Factor'),
   exposure: number(1, {
     min: 0,
     max: 1000,
     step: 0.05,
     help: 'Factor of all light before it is tone mapped.',
-    visibleWhen: { field: 'toneMapping', equals: toneMappingNames.slice(1) },
+    visibleWhen: {
+      ...{ field: 'exposureBy', equals: ['factor'] },
+      and: { field: 'toneMapping', equals: toneMappingNames.slice(1) },
+    },
   }),
 };
 

@@ -21,6 +21,19 @@ export interface EffectField {
 /** Makes an effect with its defaults. */
 type EffectClass = new () => FarolEffect;
 
+/** A colour of an effect, for menus and scene files; the effect's property is a `Color` of three's. */
+export interface EffectColour {
+  readonly kind: 'colour';
+  /** Name of the effect's property. */
+  readonly property: string;
+  /** Name in menus. */
+  readonly label: string;
+  /** One line of help. */
+  readonly help: string;
+  /** Linear red, green and blue. */
+  readonly default: [number, number, number];
+}
+
 /** An effect as menus and scene files list it; `load` fetches its code. */
 export interface EffectEntry {
   /** Name in menus. */
@@ -33,8 +46,8 @@ export interface EffectEntry {
   readonly setting?: string;
   /** Short name of the switch, for addresses. Default: `setting`. */
   readonly short?: string;
-  /** Numbers that menus set, by their names in the settings of a scene. */
-  readonly fields?: Readonly<Record<string, EffectField>>;
+  /** Numbers and colours that menus set, by their names in the settings of a scene. */
+  readonly fields?: Readonly<Record<string, EffectField | EffectColour>>;
   /**
    * Buffer that the technique must fill before it shades; a technique that cannot leaves the effect out. Default: none.
    */
@@ -51,6 +64,7 @@ export interface EffectEntry {
 const decals = () => import('./decals');
 const ambientOcclusion = () => import('./ambient-occlusion');
 const transparency = () => import('./transparency');
+const volumetricFog = () => import('./volumetric-fog');
 const antialiasing = () => import('./antialiasing');
 
 /**
@@ -101,6 +115,98 @@ export const effects = {
     short: 'oit',
     load: async () => (await transparency()).WeightedBlendedOIT,
   },
+  'volumetric-fog': {
+    label: 'Volumetric fog',
+    help: 'Fog that all lights light, with their shadows: halos, beams and shafts.',
+    setting: 'volumetricFog',
+    short: 'fog',
+    stillFrames: 64,
+    fields: {
+      fogDensity: {
+        kind: 'number',
+        property: 'density',
+        default: 0.03,
+        unit: '1/m',
+        min: 0,
+        max: 10,
+        step: 0.005,
+        help: 'Share of light that is lost on a metre, for small values.',
+        label: 'Fog density',
+      },
+      fogColour: {
+        kind: 'colour',
+        property: 'albedo',
+        default: [1, 1, 1],
+        help: 'Share of light that the fog scatters; the rest is absorbed.',
+        label: 'Fog scattering',
+      },
+      fogAnisotropy: {
+        kind: 'number',
+        property: 'anisotropy',
+        default: 0.3,
+        min: -0.95,
+        max: 0.95,
+        step: 0.05,
+        help: 'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.',
+        label: 'Fog anisotropy',
+      },
+      fogHeight: {
+        kind: 'number',
+        property: 'height',
+        default: 0,
+        unit: 'm',
+        min: -10000,
+        max: 10000,
+        step: 0.5,
+        help: 'Height up to which the fog has its density.',
+        label: 'Fog height',
+      },
+      fogFalloff: {
+        kind: 'number',
+        property: 'falloff',
+        default: 0,
+        unit: 'm',
+        min: 0,
+        max: 10000,
+        step: 0.5,
+        help: 'Rise above the height over which density falls to about a third; 0: it does not fall.',
+        label: 'Fog falloff',
+      },
+      fogNoise: {
+        kind: 'number',
+        property: 'noise',
+        default: 0,
+        min: 0,
+        max: 1,
+        step: 0.05,
+        help: 'How much drifting clouds vary the density.',
+        label: 'Fog noise',
+      },
+      fogNoiseSize: {
+        kind: 'number',
+        property: 'noiseSize',
+        default: 4,
+        unit: 'm',
+        min: 0.1,
+        max: 1000,
+        step: 0.5,
+        help: 'Size of the clouds.',
+        label: 'Fog noise size',
+      },
+      fogDistance: {
+        kind: 'number',
+        property: 'distance',
+        default: 100,
+        unit: 'm',
+        min: 1,
+        max: 10000,
+        step: 5,
+        help: 'Distance at which fog ends; the nearer, the finer.',
+        label: 'Fog distance',
+      },
+    },
+    load: async () => (await volumetricFog()).VolumetricFog,
+  },
   smaa: {
     label: 'SMAA',
     group: 'antialiasing',
@@ -119,6 +225,7 @@ export const effects = {
   },
 } as const satisfies Record<string, EffectEntry>;
 
+/** Names of the effects that Farol has. */
 export type EffectName = keyof typeof effects;
 
 /** The classes of all effects, fetched. @throws Error (as a rejection) when one cannot be fetched; try again */

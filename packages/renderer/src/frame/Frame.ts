@@ -90,6 +90,9 @@ export class Frame extends FrameTarget {
   /** Whether the depth buffer is too coarse to rebuild positions from. */
   private isDepthCoarse = false;
 
+  /** Whether the air scatters light, so that shadow maps are looked up away from surfaces; set in `begin` by an effect. */
+  hasMedia = false;
+
   // ---- Set by `FrameLights.update` ----
 
   /** The lights of fields; null while there are none in the frame. */
@@ -184,6 +187,7 @@ export class Frame extends FrameTarget {
     this.uploadedBytes = this.gbufferPixel = 0;
     this.session = session;
     this.reactive = null;
+    this.hasMedia = false;
     this.resources.begin();
     this.nodes?.begin();
     this.lacksNodes = false;

@@ -14,6 +14,8 @@ export interface Resources {
    * Written by the pass that draws the surfaces of a G-buffer, or sums of their light, to the target. Has no value.
    */
   output: never;
+  /** Written by the pass that draws the last opaque items to the target. Has no value. */
+  opaque: never;
   /** Number of shadings of each pixel, in red; given from the start in the view 'overdraw', else absent. */
   overdraw: Texture;
   /** Depth of opaque surfaces as the renderer stores it, of the size that the pass draws with. */
@@ -38,10 +40,11 @@ export interface Resources {
   [own: `${string}:${string}`]: unknown;
 }
 
+/** Names of the resources that passes hand one another within a frame. */
 export type Resource = keyof Resources;
 
 /** A resource that is handed over by `put` and `get`. */
-export type HandedResource = Exclude<Resource, 'target' | 'output'>;
+export type HandedResource = Exclude<Resource, 'target' | 'output' | 'opaque'>;
 
 /** Resources that are there without a pass that writes them. */
 export const GIVEN: readonly Resource[] = ['target', 'overdraw'];

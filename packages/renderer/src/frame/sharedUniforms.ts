@@ -1,4 +1,4 @@
-import { Vector2, Vector4 } from 'three';
+import { type Texture, Vector2, Vector4 } from 'three';
 import { lightUniforms } from '../lighting/lightUniforms';
 import { gridUniforms } from '../lighting/lists/gridUniforms';
 import { tileUniforms } from '../lighting/lists/tileUniforms';
@@ -16,6 +16,10 @@ export function sharedUniforms(ambient: Float32Array) {
     farol_background: { value: new Vector4(0, 0, 0, -1) },
     /** Size of the picture (pixels), for frameSize.glsl. */
     farol_frameSize: { value: new Vector2(1, 1) },
+    /** Light that fog scatters to the eye, and what it lets through, as a 3D texture by pixel and slice; for mediaOn.glsl. */
+    farol_media: { value: null as Texture | null },
+    /** Two vectors: first pixel and 1 / size of the picture; scales and number of the slices, and 1 while there is fog. */
+    farol_mediaSpace: { value: new Float32Array(8) },
     ...lightUniforms(ambient),
     ...maskUniforms(),
     ...tileUniforms(),

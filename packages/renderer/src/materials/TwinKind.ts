@@ -15,6 +15,8 @@ export interface TwinKind {
    * is.
    */
   readonly role?: TwinRole;
+  /** Whether draws add to sums of light that an output pass writes, tone mapped and fogged. Default false. */
+  readonly isSum?: boolean;
   /** Microshaders whose headers the fragment shader of a source's twin gets; a live edit of any compiles the twins anew. */
   chunks(source: Material): readonly string[];
   /** Properties that the twin has in place of its source's, such as blending. */

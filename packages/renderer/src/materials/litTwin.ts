@@ -8,9 +8,11 @@ import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinRole, TwinShader } from './TwinKind';
 import { TwinRefusal } from '../three/TwinRefusal';
 
+/** Options of `litTwin`. */
 export interface LitTwinOptions {
   readonly key: string;
   readonly role?: TwinRole;
+  readonly isSum?: boolean;
   readonly loop: LightLoop;
   readonly chunks?: readonly string[];
   /** Whether to shade light by light even if sums would do. Default false. */
@@ -54,6 +56,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
   return {
     key: options.key,
     ...(options.role && { role: options.role }),
+    ...(options.isSum && { isSum: true }),
     chunks(source) {
       // the host's own changes of three's lighting functions count, and those of the page
       const own = threeChunks.shading || source.onBeforeCompile !== Material.prototype.onBeforeCompile;

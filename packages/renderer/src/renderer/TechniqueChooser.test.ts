@@ -15,7 +15,6 @@ const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
 describe('TechniqueChooser', () => {
   const few = scene({ bounded: 1, everywhere: 0 });
   const many = scene({ bounded: 50, coverage: 30 });
-  const more = scene({ bounded: 5000, coverage: 30 });
   const frames = (chooser: TechniqueChooser, count: number, figures: SceneFigures, prepares = true) =>
     Array.from({ length: count }, () => chooser.choose(figures, prepares).technique);
 
@@ -39,6 +38,14 @@ describe('TechniqueChooser', () => {
       'clustered-deferred',
       'tiled-deferred',
     ]);
+  });
+
+  it('leaves a loop over all lights at once, prepared or not, where a settled scene gets more than it can bear', () => {
+    const chooser = new TechniqueChooser();
+    frames(chooser, 20, few);
+    expect(frames(chooser, 1, scene({ bounded: 128, everywhere: 0 }))).toEqual(['forward-single-pass']);
+    expect(frames(chooser, 1, scene({ bounded: 10_000, coverage: 30 }))).toEqual(['tiled-deferred']);
+    expect(chooser.isChanging).toBe(false);
   });
 
   it.each([
@@ -173,6 +180,7 @@ describe('TechniqueChooser', () => {
 
   it('drops what it had made ready when the old choice is good again, or another is better', () => {
     const chooser = new TechniqueChooser();
+    const small = scene({ bounded: 120, coverage: 10 });
     frames(chooser, 20, few);
     frames(chooser, 8, many);
     chooser.preparation = { ready: true };
@@ -181,11 +189,11 @@ describe('TechniqueChooser', () => {
     frames(chooser, 8, many);
     expect(chooser.preparation, 'begins anew').toBeNull();
     chooser.preparation = { ready: true };
-    expect(frames(chooser, 1, more)).toEqual(['forward-single-pass']);
+    expect(frames(chooser, 1, small)).toEqual(['forward-single-pass']);
     expect(chooser.next?.technique).toBe('tiled-deferred');
     expect(chooser.preparation).toBeNull();
     chooser.preparation = { ready: true };
-    expect(frames(chooser, 1, more)).toEqual(['tiled-deferred']);
+    expect(frames(chooser, 1, small)).toEqual(['tiled-deferred']);
   });
 
   it('waits for nothing where the old technique cannot draw what is asked', () => {

@@ -57,6 +57,8 @@ const VERY_MANY_LIGHTS = 200;
  */
 const MANY_OBJECTS = 1000;
 const MANY_LIGHTS_OVER_MANY_OBJECTS = 50;
+/** Number of lights above which a loop over all of them takes longer than to compile another technique: it is left at once. */
+export const MOST_IN_A_LOOP = 128;
 /** Factor by which a bound must be passed, for some frames in a row, before another technique is chosen. */
 const SLACK = 1.3;
 const PATIENCE = 8;
@@ -124,7 +126,9 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     const holds = best === current || (this.outdone < LASTING && this.holds(figures, SLACK));
     this.waited = holds ? 0 : this.waited + 1;
     const deferred = current.technique.endsWith('deferred');
-    const impossible = deferred ? !figures.floatTargets : figures.surfaces && figures.floatTargets;
+    const isTooMany =
+      current.technique === 'forward-single-pass' && figures.bounded + figures.everywhere > MOST_IN_A_LOOP;
+    const impossible = deferred ? !figures.floatTargets : isTooMany || (figures.surfaces && figures.floatTargets);
     const next = this.waited >= PATIENCE ? best : null;
     if (next !== this.next) this.preparation = null;
     this.next = next;

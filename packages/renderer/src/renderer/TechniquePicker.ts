@@ -8,14 +8,12 @@ import type { LearningFrames } from './learning';
 import type { LightTable } from '../lighting/LightTable';
 import type { WarmUp } from './warm-up/WarmUp';
 import type { TechniqueName } from '../techniques';
-import type { TechniqueChooser } from './TechniqueChooser';
+import { MOST_IN_A_LOOP, type TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';
 import type { GpuTimer } from './timer/GpuTimer';
 
 /** Up to this many lights 'forward-single-pass' begins to draw a scene until another technique's code is loaded. */
 const FEW = 16;
-/** Up to this many lights 'forward-single-pass' goes on to: more would take longer than to compile 'deferred'. */
-const MANY = 128;
 
 /** Gives the effects of a frame, by the technique that draws it. */
 export interface EffectsByTechnique {
@@ -105,7 +103,7 @@ export class TechniquePicker {
   private canGoOn(technique: TechniqueName, lights: number, floatTargets: boolean, surfaces: boolean): boolean {
     const { set } = this;
     if (!Object.hasOwn(set.known, technique) || set.codeOf(technique)?.isThere === false) return false;
-    if (technique === 'forward-single-pass' && lights > MANY) return false;
+    if (technique === 'forward-single-pass' && lights > MOST_IN_A_LOOP) return false;
     if (set.known[technique].needsFloatTargets && !floatTargets) return false;
     return !surfaces || set.passesOf(technique).some(writesGBuffer);
   }

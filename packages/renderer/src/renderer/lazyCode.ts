@@ -1,3 +1,4 @@
+import type { LearntChoice } from './learning';
 import { unknownName } from './errors';
 import { lightFieldMade } from '../light-fields/lightFieldMade';
 import { Lazy } from '../frame/Lazy';
@@ -55,6 +56,9 @@ export const learningCode = new Lazy('learning', () => import('./learning'), "'a
 
 /** Forgets what 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
 export const clearLearnt = (): Promise<void> => learningCode.load().then((code) => code.clearLearnt());
+
+/** Verdicts that 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
+export const learntChoices = (): Promise<LearntChoice[]> => learningCode.load().then((code) => code.learntChoices());
 
 /** Frames of XR sessions. */
 export const xrCode = new Lazy('webxr', () => import('./xr'), 'three draws XR sessions');

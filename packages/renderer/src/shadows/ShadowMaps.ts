@@ -86,7 +86,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private isVariance = false;
   private frame = 0;
   /** Size of the frame's picture (pixels). */
-  private picture: PictureSize = { width: 1, height: 1 };
+  private picture: PictureSize & Pick<Frame, 'hasMedia'> = { width: 1, height: 1, hasMedia: false };
   /** Number of shadow maps that the last frame needed. */
   private mapCount = 0;
 
@@ -173,9 +173,9 @@ export class ShadowMaps implements LightMasks, TileShadows {
   /**
    * Finds which maps a frame needs and which of them have to be drawn.
    * @param lights - of the frame that may cast shadows, throw images or be limited to layers
-   * @param picture - size (pixels)
+   * @param picture - size (pixels); `hasMedia`: maps are looked up in the air too
    */
-  update(root: Object3D, camera: Camera, lights: readonly Light[], picture: PictureSize): void {
+  update(root: Object3D, camera: Camera, lights: readonly Light[], picture: ShadowMaps['picture']): void {
     this.begin();
     this.scenes.use(root);
     if (lights.length === 0 && this.slots.isEmpty) return;
@@ -362,8 +362,8 @@ export class ShadowMaps implements LightMasks, TileShadows {
   /** Plans the draw of a map if it is out of date. @returns whether it will be drawn */
   private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
     const { map } = slot;
-    // soft shadows of area lights look up places far from the receivers, and cameras of an array see others than this one
-    const isWhole = softSizeOf(slot.light) > 0 || 'isArrayCamera' in this.seenBy;
+    // air and soft shadows of area lights look up places far from the receivers, and cameras of an array see others than this one
+    const isWhole = this.picture.hasMedia || softSizeOf(slot.light) > 0 || 'isArrayCamera' in this.seenBy;
     const isPart = !isWhole && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
     if ((mayDraw && !map.isCurrent) || (map.isPartial && !isPart)) {
       this.planned.maps.push(slot);

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { AssetLibrary, Light } from '@farol/engine';
+import { AssetLibrary, Light, ObjectRenderer, type Scene } from '@farol/engine';
 import { temple } from './temple';
 
 const assets = new AssetLibrary();
@@ -29,4 +29,18 @@ test('has the lights that were asked for, a camera, and a temple of real columns
   scene.three.updateMatrixWorld();
   expect(scene.assets.materials.size).toBeLessThan(7);
   scene.dispose();
+});
+
+test('in the evening the sun alone throws shadows, under tone mapping; else the light is even', async () => {
+  const casts = (scene: Scene): string[] =>
+    scene.componentsOf(Light).flatMap((light) => (light.castShadow ? [light.type] : []));
+  const evening = await temple(7, { assets, evening: true });
+  expect(casts(evening)).toEqual(['directional']);
+  expect(evening.settings.toneMapping).not.toBe('none');
+  expect(evening.find('Roof')!.getComponent(ObjectRenderer)!.castShadow).toBe(true);
+  evening.dispose();
+  const even = await temple(7, { assets });
+  expect(casts(even)).toEqual([]);
+  expect(even.settings.toneMapping).toBe('none');
+  even.dispose();
 });

@@ -53,12 +53,22 @@ function addTemple(build: SceneBuilder): GameObject {
   return building;
 }
 
+/** Sunset: a warm sun at the left, whose shadow falls on the lamps' side, a sky, and tone mapping. */
+function lightEvening(build: SceneBuilder): void {
+  Object.assign(build.scene.settings, {
+    ...{ background: 'sky', sky: 'sunset', skyLight: false, backgroundIntensity: 0.6 },
+    ...{ toneMapping: 'neutral', exposure: 1.1 },
+  });
+  const sun = { type: 'directional', diffuse: [1, 0.6, 0.36], intensity: 2.4, shadowExtent: 26 } as const;
+  build.light('Sun', sun, [-14, 7, 20], [0, 3, 0]);
+}
+
 /** Four lamps before the front columns and two inside, warm and steady. */
-function addSpots(build: SceneBuilder): void {
+function addSpots(build: SceneBuilder, castShadow: boolean): void {
   const { spacing } = templePlan;
   const { halfLength, floor } = templeSize;
   const spots = build.group('Spot lights');
-  const warm = { type: 'spot', diffuse: [1, 0.72, 0.42], cutoff: 0.5, penumbra: 0.8, range: 14 } as const;
+  const warm = { type: 'spot', diffuse: [1, 0.72, 0.42], cutoff: 0.5, penumbra: 0.8, range: 14, castShadow } as const;
   for (const i of [-2.5, -1.5, 1.5, 2.5]) {
     const x = i * spacing;
     build.light(
@@ -90,9 +100,14 @@ function colonnadePlace(random: () => number): Vector3Tuple {
  * A Doric temple on a green plane, weakly lit by a reddish sun, with moving point lights, some of which stray from it
  * (thesis 4.1 and 4.2.2).
  * @param lights - moving point lights, 0 or more
+ * @param options - `evening` for a low sun, a sky and tone mapping
  */
-export async function temple(lights: number, options: SceneBuildOptions = {}): Promise<Scene> {
-  const build = new SceneBuilder('Temple', options);
+export async function temple(
+  lights: number,
+  options: SceneBuildOptions & { readonly evening?: boolean } = {},
+): Promise<Scene> {
+  const { shadows = false, evening = false } = options;
+  const build = new SceneBuilder('Temple', { ...options, shadows: shadows || evening });
   const { assets, settings } = build.scene;
   registerMeshes(assets, templeMeshes);
   settings.backgroundColour = [0.012, 0.016, 0.035];
@@ -104,13 +119,14 @@ export async function temple(lights: number, options: SceneBuildOptions = {}): P
     { scale: [120, 1, 120] },
   );
   addTemple(build);
-  build.light('Sun', { type: 'directional', diffuse: [1, 0.5, 0.36], intensity: 0.8 }, [20, 16, 14], [0, 3, 0]);
+  if (evening) lightEvening(build);
+  else build.light('Sun', { type: 'directional', diffuse: [1, 0.5, 0.36], intensity: 0.8 }, [20, 16, 14], [0, 3, 0]);
   build.light(
     'Sky',
     { type: 'hemisphere', diffuse: [0.3, 0.38, 0.6], groundColour: [0.1, 0.12, 0.07], intensity: 0.5 },
     [0, 20, 0],
   );
-  addSpots(build);
+  addSpots(build, shadows);
   const { range, intensity } = lightBudget(lights, { volume: 5600, range: 6, light: 20 });
   build.movingLights(lights, build.group('Lights'), (i, random) => ({
     position: colonnadePlace(random),
@@ -118,7 +134,7 @@ export async function temple(lights: number, options: SceneBuildOptions = {}): P
     speed: 0.6 + 1.2 * random(),
     range,
     intensity,
-    castShadow: options.shadows === true && i < 2,
+    castShadow: shadows && i < 2,
   }));
   return build.scene;
 }

@@ -50,7 +50,7 @@ export function readApi() {
     entries.sort((a, b) => Number(b.startsWith(`${own}`)) - Number(a.startsWith(`${own}`)));
   }
   for (const each of api) {
-    const keys = [...each.mentions].map((name) => reader.keyOf(each.file, name));
+    const keys = reader.keysOf(each.file, each.mentions, found);
     each.types = keys.flatMap((key) => found.get(key) ?? []).filter((type) => type !== each);
     each.members = each.members.map((member) => (member.doc.text ? member : inherited(member, each)));
   }
@@ -92,14 +92,31 @@ class Reader {
     return found;
   }
 
-  /** Where the declaration is that a name of a file stands for: its key. @param {string} file @param {string} name */
+  /** Key of the declaration that a name of a file stands for. @param {string} file @param {string} name */
   keyOf(file, name) {
     this.exportsOf(file);
     const imported = this.imports.get(file)?.get(name);
     const from = imported && this.resolve(file, imported.from);
     if (!imported || from === undefined) return imported ? '' : `${file} ${name}`;
     const there = this.exportsOf(from).get(imported.name);
-    return `${there?.file} ${there?.local}`;
+    return there ? `${there.file} ${there.local}` : '';
+  }
+
+  /**
+   * Keys of the exports that names of a file stand for; a name that is no export stands for what its declaration names.
+   *
+   * @param {string} file @param {Iterable<string>} names @param {ReadonlyMap<string, ApiExport>} api
+   * @param {Set<string>} seen - keys so far
+   */
+  keysOf(file, names, api, seen = new Set()) {
+    for (const key of [...names].map((name) => this.keyOf(file, name))) {
+      if (seen.has(key)) continue;
+      seen.add(key);
+      const [from, local] = key.split(' ');
+      const hidden = api.has(key) || !local ? undefined : this.declarations(from).get(local);
+      if (hidden) this.keysOf(from, hidden.mentions, api, seen);
+    }
+    return [...seen];
   }
 
   /** @param {string} file @returns {Exports} */

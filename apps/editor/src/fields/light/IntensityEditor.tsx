@@ -17,7 +17,7 @@ import { setValues } from '../../model/edits';
 import { ownersName } from '../../model/ownersName';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
-import { NumberInput } from '../../ui/NumberInput';
+import { NumberEditor } from '../NumberEditor';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import './light.css';
 
@@ -25,28 +25,17 @@ const lampLabels = Light.fields.lamp.optionLabels as Readonly<Record<LampKind, s
 
 /** A light's intensity in its unit, and the menu of units. Where the lights' units differ, in three's. */
 export function IntensityEditor(props: OwnerFieldProps<NumberField>): ReactNode {
-  const { owners, field, value, onPreview, onCommit, ...rest } = props;
+  const { owners, field, ...rest } = props;
   const { document } = useEditor();
   useOwnersRevision(owners);
   useSignal(document.previewed);
   const lights = owners as unknown as readonly MeasuredLight[];
   const [first, ...others] = lights.map(shownIntensity);
   const isShared = others.every(({ symbol, factor }) => symbol === first.symbol && factor === first.factor);
-  const factor = isShared ? first.factor : 1;
-  const step = (field.step ?? 0.1) * 10 ** Math.round(Math.log10(factor));
+  const scaled = { ...field, unit: undefined, scale: isShared ? first.factor : 1 };
   return (
     <div className="intensity">
-      <NumberInput
-        {...rest}
-        min={0}
-        step={step}
-        value={value === null ? null : Number((value * factor).toPrecision(7))}
-        handle={<span className="grip" />}
-        scrubsLabel
-        onPreview={(next) => onPreview(next / factor)}
-        onPreviewEach={(update) => onPreview((before) => update(before * factor) / factor)}
-        onCommit={() => onCommit()}
-      />
+      <NumberEditor {...rest} field={scaled} />
       <UnitMenu lights={lights} owners={owners} symbol={isShared ? first.symbol : (field.unit ?? '')} />
     </div>
   );

@@ -1,25 +1,38 @@
 import { t } from '@farol/editing';
+import { libraryMaterials } from '../../model/library/materials';
 import { type LibraryGroup, type LibraryId, libraryNames } from '../../model/library/names';
 import { libraryTags } from '../../model/library/tags';
 
 /** An item of the library, as its panel shows it. */
 export interface LibraryItem {
+  /** Such as 'street-lamp'; 'material/Cast iron'; 'own/' and 'folder/' of prefabs that are the user's. */
   readonly id: string;
   /** Name in the language that is shown. */
   readonly label: string;
-  readonly group: LibraryGroup;
+  readonly group: LibraryGroup | 'material' | 'own' | 'folder';
   /** Words in the language that is shown. */
   readonly tags: readonly string[];
-  /** Address of its picture. */
-  readonly picture: string;
+  /** Address of its picture; null where it has none. */
+  readonly picture: string | null;
 }
 
+/** Items that draw nothing. */
+const unseen: ReadonlySet<string> = new Set(['player', 'zone']);
+
+const pictureOf = (id: string): string | null =>
+  unseen.has(id) ? null : new URL(`library/${id.replaceAll(/[ /]/g, '-').toLowerCase()}.webp`, document.baseURI).href;
+
 /** The items that come with the editor. */
-export const libraryItems = (): LibraryItem[] =>
-  (Object.keys(libraryNames) as LibraryGroup[]).flatMap((group) =>
+export const libraryItems = (): LibraryItem[] => [
+  ...(Object.keys(libraryNames) as LibraryGroup[]).flatMap((group) =>
     Object.entries<string>(libraryNames[group]).map(([id, name]) => ({
       ...{ id, label: t(name), group },
       tags: libraryTags[id as LibraryId].map((tag) => t(tag)),
-      picture: new URL(`library/${id}.webp`, document.baseURI).href,
+      picture: pictureOf(id),
     })),
-  );
+  ),
+  ...Object.keys(libraryMaterials).map((name) => {
+    const id = `material/${name}`;
+    return { id, label: t(name), group: 'material' as const, tags: [t('Material')], picture: pictureOf(id) };
+  }),
+];

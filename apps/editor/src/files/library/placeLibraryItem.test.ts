@@ -1,4 +1,4 @@
-import { GameObject, ObjectRenderer, Room, Scene } from '@farol/engine';
+import { GameObject, Light, ObjectRenderer, Room, Scene } from '@farol/engine';
 import { PerspectiveCamera, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import type { EditorApi } from '../../api/EditorApi';
@@ -95,4 +95,58 @@ test('without a ceiling or a wall a pendant hangs at a height over the ground, a
   expect((await placed(editor, 'pendant'))[0]).toEqual([0, 2.6, 0]);
   const [at, front] = await placed(editor, 'sconce');
   expect([at[1], front]).toEqual([1.6, [0, 0, 1]]);
+});
+
+test('a sky turns the sun into its own and switches off what stood for a sky; a material goes on what is selected', async () => {
+  const editor = editorAt([0, 3, 8], [0, 0, 0]);
+  const { document, commands } = editor;
+  const { scene, assets } = document;
+  const add = (name: string, type: string, values = {}): GameObject => {
+    const object = new GameObject(name);
+    object.addComponent(type, values);
+    scene.add(object);
+    return object;
+  };
+  const sun = add('Sun', 'Light', { type: 'directional', intensity: 2 }).getComponent(Light)!;
+  const fill = add('Sky', 'Light', { type: 'hemisphere' }).getComponent(Light)!;
+  const box = add('Box', 'ObjectRenderer', { mesh: 'box' }).getComponent(ObjectRenderer)!;
+  await placeLibraryItem(editor, 'moonlit-night');
+  expect([scene.settings.background, scene.settings.sky, fill.enabled]).toEqual(['sky', 'night', false]);
+  expect([sun.castShadow, sun.intensity < 0.5, sun.direction.y < -0.4]).toEqual([true, true, true]);
+  await placeLibraryItem(editor, 'overcast');
+  expect([sun.enabled, scene.settings.sky]).toEqual([false, 'overcast']);
+  expect(commands.history).toEqual(['Made it Moonlit night', 'Made it Overcast']);
+  commands.undo();
+  commands.undo();
+  expect([sun.enabled, sun.intensity, fill.enabled, scene.settings.background]).toEqual([true, 2, true, 'colour']);
+
+  await expect(placeLibraryItem(editor, 'material/Brass')).rejects.toThrow('Drop Brass on an object with a mesh');
+  document.selection.set([box.gameObject.id]);
+  await placeLibraryItem(editor, 'material/Brass');
+  expect([box.material, commands.history]).toEqual(['Library/Brass', ['Gave Brass to Box']]);
+  commands.undo();
+  expect([box.material, assets.fieldAssets('material').length]).toEqual([null, 0]);
+});
+
+test('a player looks by its eyes, and gets a ground where nothing carries it; a selected lamp flickers', async () => {
+  const editor = editorAt([0, 3, 8], [0, 0, 0]);
+  const told: string[] = [];
+  Object.assign(editor, { notices: { show: (_: string, text: string) => told.push(text) } });
+  const { document, commands } = editor;
+  const { scene } = document;
+  // components of scripts are kept as data, since nothing compiles them here
+  document.scripts.isOn = false;
+  await placeLibraryItem(editor, 'player');
+  expect(scene.roots.map(({ name }) => name)).toEqual(['Player', 'Ground']);
+  expect([scene.activeCamera?.gameObject.name, told.length]).toEqual(['Eyes', 1]);
+  expect([document.selectedObjects.map(({ name }) => name), commands.history.length]).toEqual([['Player'], 1]);
+  await placeLibraryItem(editor, 'candle');
+  await placeLibraryItem(editor, 'flicker');
+  const candle = scene.roots[2];
+  expect([candle.name, candle.components.map(({ typeName }) => typeName)]).toEqual([
+    'Candle',
+    ['Transform', 'Flicker'],
+  ]);
+  for (let i = 0; i < 3; i++) commands.undo();
+  expect([scene.roots.length, scene.activeCamera, scene.assets.fieldAssets('script').length]).toEqual([0, null, 0]);
 });

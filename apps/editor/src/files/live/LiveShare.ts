@@ -54,6 +54,7 @@ export class LiveShare {
   private isDue = false;
   private lastRead = 0;
   private sending: Promise<unknown> = Promise.resolve();
+  private hasBegun = false;
   private readonly ends: (() => void)[];
 
   constructor(private readonly editor: EditorApi) {
@@ -64,6 +65,7 @@ export class LiveShare {
       document.assetsChanged.subscribe(noteAssets),
       document.scripts.changed.subscribe(noteAssets),
       document.opened.subscribe(() => this.delta && this.begin(null)),
+      document.simulation.changed.subscribe(() => this.tellPlay()),
     ];
     void this.connect();
   }
@@ -146,6 +148,13 @@ export class LiveShare {
     if (!this.delta) return;
     note(this.delta);
     this.schedule();
+  }
+
+  /** Tells pages that look to begin anew when the scene begins to play; not after a pause. */
+  private tellPlay(): void {
+    const { state } = this.editor.document.simulation;
+    if (state === 'playing' && !this.hasBegun && this.count > 0) this.post({ kind: 'play' });
+    this.hasBegun = state !== 'stopped';
   }
 
   private schedule(): void {

@@ -8,6 +8,8 @@ import { assembleParts, type FileHead, HEAD, type PartChange, type PartKey } fro
  */
 export type LiveMessage =
   | { readonly kind: 'whole' | 'end'; readonly to?: number }
+  // the editor begins to play: the scene begins anew
+  | { readonly kind: 'play'; readonly to?: undefined }
   | { readonly kind: 'parts'; readonly to?: number; readonly parts: readonly PartChange[] };
 
 /** Messages of the dev server, to either side; `number` is of the page that waits for everything. */

@@ -73,7 +73,7 @@ export const bake: Texts = {
     'Radio de lo que brilla: cuanto mayor, más suaves son sus sombras precalculadas.',
   'Source angle': 'Ángulo de la fuente',
   'Angle that the source covers, 0.5° for the sun: the larger, the softer are its baked shadows.':
-    'Ángulo que cubre la fuente, 0,5° para el sol: cuanto mayor, más suaves son sus sombras precalculadas.',
+    'Ángulo que cubre la fuente, 0.5° para el sol: cuanto mayor, más suaves son sus sombras precalculadas.',
   'Lightmaps and probes that light the scene.': 'Mapas y sondas de luz que iluminan la escena.',
   'Lightmap size': 'Tamaño del mapa de luz',
   'Width and height of a lightmap, in texels.': 'Ancho y alto de un mapa de luz, en texels.',

@@ -33,8 +33,10 @@ export const components: Texts = {
   'Object Renderer': 'Dibujo de objeto',
   'A mesh with a material.': 'Una malla con un material.',
   'Shape of the object.': 'Forma del objeto.',
-  Render: 'Dibujar',
-  'Whether the shape is drawn.': 'Si la forma se dibuja.',
+  'Own material': 'Material propio',
+  Visible: 'Visible',
+  'Whether the shape is seen; its other components work on.':
+    'Si la forma se ve; los demás componentes siguen funcionando.',
   'Crease angle': 'Ángulo de arista',
   'For meshes without normals: faces that meet at less are smooth, at more they show an edge.':
     'En mallas sin normales: las caras que se unen con menos ángulo son suaves; con más, muestran una arista.',
@@ -208,6 +210,17 @@ export const components: Texts = {
   Order: 'Orden',
   'Of decals in one place the highest is on top.':
     'De las calcomanías en un lugar, la de número más alto queda encima.',
+  'Fog Volume': 'Volumen de niebla',
+  'Fog volume': 'Volumen de niebla',
+  'Fog in a box or a ball, while Volumetric fog is on.':
+    'Niebla en una caja o una bola, mientras la niebla volumétrica está activada.',
+  'Shape of the fog.': 'Forma de la niebla.',
+  'Width, height and depth.': 'Anchura, altura y profundidad.',
+  Density: 'Densidad',
+  'Added to the fog of the scene; below 0 it takes fog away, as in a room.':
+    'Se suma a la niebla de la escena; por debajo de 0 quita niebla, como en una habitación.',
+  Softness: 'Suavidad',
+  'How far from its edge it grows to its density.': 'A qué distancia del borde llega a su densidad.',
   'Key Controller': 'Control por teclas',
   'Motion by keys, or by a finger on the left half.': 'Movimiento con teclas, o con un dedo en la mitad izquierda.',
   Front: 'Frente',

@@ -63,7 +63,7 @@ export const physics: Texts = {
   'Middle of the shape in the space of the object.': 'Centro de la forma en el espacio del objeto.',
   Axis: 'Eje',
   'Own axis that it stands along.': 'Eje propio a lo largo del que está.',
-  Sensor: 'Sensor',
+  'Trigger only': 'Solo disparador',
   'It stops nothing, and tells what comes in and goes out: onTriggerEnter, onTriggerExit.':
     'No detiene nada, y avisa de lo que entra y sale: onTriggerEnter, onTriggerExit.',
   Friction: 'Fricción',
@@ -94,7 +94,7 @@ export const physics: Texts = {
   'How far down it keeps to the ground, on stairs and slopes.':
     'Hasta cuánto hacia abajo sigue al suelo, en escaleras y cuestas.',
   'Of the capsule that it is.': 'De la cápsula que es.',
-  'Middle of the capsule in the space of the object: half the height above its feet.':
+  'Centre of the capsule in the space of the object: half the height above its feet.':
     'Centro de la cápsula en el espacio del objeto: media altura sobre sus pies.',
   'It pushes dynamic bodies that are in its way.': 'Empuja los cuerpos dinámicos que encuentra.',
   'Pushes bodies': 'Empuja cuerpos',

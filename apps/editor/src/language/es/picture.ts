@@ -4,8 +4,8 @@ import type { Texts } from '@farol/editing';
 export const picture: Texts = {
   'Tone mapping': 'Mapeo de tonos',
   'Exposure compensation': 'Compensación de exposición',
-  'Steps of exposure beside the scene’s: 1 is twice the light, -1 half of it. Needs a tone mapping.':
-    'Pasos de exposición sobre la de la escena: 1 es el doble de luz, -1 la mitad. Necesita un mapeo de tonos.',
+  'Steps of exposure beside the rest: 1 is twice the light, -1 half of it. Needs a tone mapping.':
+    'Pasos de exposición además del resto: 1 es el doble de luz, -1 la mitad. Requiere un mapeo de tonos.',
   'Depth of field': 'Profundidad de campo',
   'Depth of field: the scene’s, none, or one of this camera.':
     'Profundidad de campo: la de la escena, ninguna o una propia de esta cámara.',
@@ -83,12 +83,34 @@ export const picture: Texts = {
   'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
   'Occlusion strength': 'Fuerza de la oclusión',
   'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
+  'Fog density': 'Densidad de la niebla',
+  'Share of light that is lost on a metre, for small values.':
+    'Parte de la luz que se pierde en un metro, si es pequeña.',
+  'Fog scattering': 'Dispersión de la niebla',
+  'Share of light that the fog scatters; the rest is absorbed.':
+    'Parte de la luz que la niebla dispersa; absorbe el resto.',
+  'Fog anisotropy': 'Anisotropía de la niebla',
+  'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.':
+    'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
+  'Fog height': 'Altura de la niebla',
+  'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
+  'Fog falloff': 'Descenso de la niebla',
+  'Rise above the height over which density falls to about a third; 0: it does not fall.':
+    'Subida sobre la altura en la que la densidad cae a un tercio aproximadamente; 0: no cae.',
+  'Fog noise': 'Ruido de la niebla',
+  'How much drifting clouds vary the density.': 'Cuánto varían la densidad las nubes a la deriva.',
+  'Fog noise size': 'Tamaño del ruido de la niebla',
+  'Size of the clouds.': 'Tamaño de las nubes.',
+  'Fog distance': 'Distancia de la niebla',
+  'Distance at which fog ends; the nearer, the finer.': 'Distancia a la que acaba la niebla; cuanto menor, más fina.',
   'Effects of plugins': 'Efectos de complementos',
   'Names of effects of plugins that are on, with commas between them.':
     'Nombres de los efectos de complementos activados, separados por comas.',
   'Set effects': 'Elegir los efectos',
   'What is seen behind the objects, and lights them.': 'Lo que se ve detrás de los objetos, y los ilumina.',
   'How objects fade with distance.': 'Cómo se funden los objetos con la distancia.',
+  'Volumetric fog is off: fog volumes are not seen. Switch it on among the effects.':
+    'La niebla volumétrica está apagada: los volúmenes de niebla no se ven. Actívala entre los efectos.',
   Picture: 'Imagen',
   'How light becomes a picture.': 'Cómo la luz se convierte en imagen.',
   'Picture effects': 'Efectos de imagen',
@@ -106,7 +128,7 @@ export const picture: Texts = {
     'Cómo se suavizan los bordes. Automático usa multimuestreo donde la técnica lo permite y, si no, SMAA; TAA acumula fotogramas.',
   'Frame budget': 'Presupuesto por fotograma',
   'Whether the scene is drawn smaller, and enlarged, where its frames would take longer than 16.7 ms.':
-    'Si la escena se dibuja más pequeña, y se amplía, cuando sus fotogramas tardarían más de 16,7 ms.',
+    'Si la escena se dibuja más pequeña, y se amplía, cuando sus fotogramas tardarían más de 16.7 ms.',
   'On touch screens': 'En pantallas táctiles',
   On: 'Activado',
   'Off ## budget': 'Desactivado',

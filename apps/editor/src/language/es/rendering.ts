@@ -30,6 +30,9 @@ export const rendering: Texts = {
   'Unsorted transparency': 'Transparencia sin ordenar',
   'Transparent layers are averaged, not sorted: they may pass through one another.':
     'Las capas transparentes se promedian, sin ordenarlas: pueden atravesarse.',
+  'Volumetric fog': 'Niebla volumétrica',
+  'Fog that all lights light, with their shadows: halos, beams and shafts.':
+    'Niebla que iluminan todas las luces, con sus sombras: halos, haces y rayos.',
   Effects: 'Efectos',
   'What takes part in the picture beside the technique.': 'Lo que interviene en la imagen además de la técnica.',
   'Anti-aliasing': 'Antialiasing',
@@ -62,7 +65,7 @@ export const rendering: Texts = {
   'All views at once': 'Todas las vistas a la vez',
   'Every view beside the others, in the viewport; a click on one shows it alone.':
     'Cada vista junto a las otras, en la vista 3D; un clic muestra solo esa.',
-  'Hottest count': 'Recuento máximo',
+  'Heat map maximum': 'Máximo del mapa de calor',
   'Lights, or draws, a pixel at which light count and overdraw are red.':
     'Luces, o llamadas de dibujo, por píxel con los que el número de luces y el sobredibujado son rojos.',
   'at rest': 'en reposo',

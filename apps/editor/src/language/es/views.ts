@@ -17,7 +17,7 @@ export const views: Texts = {
   'Rename a view': 'Renombrar una vista',
   'Forget a view': 'Olvidar una vista',
   'Views and cameras': 'Vistas y cámaras',
-  'Kept views': 'Vistas conservadas',
+  'Saved views': 'Vistas guardadas',
   'Four views': 'Cuatro vistas',
   'Next view': 'Vista siguiente',
   'Bring the other views to where this one looks': 'Llevar las demás vistas adonde mira esta',

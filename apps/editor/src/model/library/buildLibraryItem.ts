@@ -1,13 +1,18 @@
 import { lamps } from './lamps';
-import { type LibraryGroup, libraryNames } from './names';
+import { libraryNames, type PrefabGroup } from './names';
 import { type BuiltItem, buildItem, type ItemRoot } from './parts';
+import { play } from './play';
 import { props } from './props';
 
-const roots: Readonly<Record<LibraryGroup, Readonly<Record<string, () => ItemRoot>>>> = { lamp: lamps, prop: props };
+const roots: Readonly<Record<PrefabGroup, Readonly<Record<string, () => ItemRoot>>>> = {
+  ...{ lamp: lamps, prop: props, play },
+};
 
-/** Prefab of one of the library's items, in the language that is shown; null for an unknown id. */
+/** Prefab of one of the library's items, in the language that is shown; null for an id that is none. */
 export function buildLibraryItem(id: string): BuiltItem | null {
-  for (const [group, names] of Object.entries(libraryNames) as [LibraryGroup, Readonly<Record<string, string>>][])
+  for (const group of Object.keys(roots) as PrefabGroup[]) {
+    const names: Readonly<Record<string, string>> = libraryNames[group];
     if (Object.hasOwn(names, id)) return buildItem(id, names[id], roots[group][id]());
+  }
   return null;
 }

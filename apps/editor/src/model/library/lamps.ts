@@ -193,7 +193,7 @@ export const lamps: Readonly<Record<keyof typeof libraryNames.lamp, () => ItemRo
         at: [0, 1.85, 0],
         turn: [-0.15, 0, 0],
         parts: [
-          mesh('Case', 'box', 'Cast iron', { at: [0, 0, 0.05], size: [0.42, 0.3, 0.12] }, { castShadow: false }),
+          mesh('Lamp case', 'box', 'Cast iron', { at: [0, 0, 0.05], size: [0.42, 0.3, 0.12] }, { castShadow: false }),
           glow('Lens', 'box', 'White glow', { at: [0, 0, -0.012], size: [0.38, 0.26, 0.004] }),
           spot(WHITE, 400, 25, 0.75, { at: [0, 0, -0.02] }),
         ],

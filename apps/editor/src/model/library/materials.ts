@@ -9,12 +9,12 @@ const shining = (emissive: Vector3Tuple, emissiveIntensity: number): Values => (
   emissive,
   emissiveIntensity,
 });
-/** A texture that is made in code, with its bumps. @param repeat - times over the mesh, above 1 */
-const textured = (map: string, repeat = 1, roughness = 0.9): Values => {
-  const places = ['mapRepeatX', 'mapRepeatY', 'normalMapRepeatX', 'normalMapRepeatY'].map((name) => [name, repeat]);
+/** A texture that is made in code, with its bumps. @param repeat - times over the mesh along U, and along V */
+const textured = (map: string, repeat = 1, roughness = 0.9, repeatV = repeat): Values => {
   // values that are defaults would be missing in what an asset stores
-  const repeated = repeat === 1 ? {} : (Object.fromEntries(places) as Values);
-  return { colour: [1, 1, 1], map, normalMap: `${map}-normal`, roughness, ...repeated };
+  const repeated: Values = repeat === 1 ? {} : { mapRepeatX: repeat, normalMapRepeatX: repeat };
+  const repeatedV: Values = repeatV === 1 ? {} : { mapRepeatY: repeatV, normalMapRepeatY: repeatV };
+  return { colour: [1, 1, 1], map, normalMap: `${map}-normal`, roughness, ...repeated, ...repeatedV };
 };
 
 /** Materials of the library by their English names: values that are no defaults of a material asset. */
@@ -46,7 +46,7 @@ export const libraryMaterials = {
   Marble: textured('marble', 1, 0.25),
   Asphalt: matt([0.045, 0.046, 0.05], 0.85),
   'Wet asphalt': matt([0.02, 0.021, 0.024], 0.22),
-  Paving: textured('tiles', 12, 0.8),
+  Paving: textured('tiles', 13, 0.8, 1),
   Grass: textured('grass', 12, 0.95),
   'Red cloth': textured('cloth-red', 3, 0.95),
   Rubber: matt([0.02, 0.02, 0.02], 0.8),

@@ -22,17 +22,34 @@ export const libraryNames = {
     tree: 'Tree',
     fir: 'Fir',
     bench: 'Bench',
-    table: 'Table',
+    table: 'Dining table',
     chair: 'Chair',
     crate: 'Crate',
     barrel: 'Barrel',
     'plain-wall': 'Plain wall',
     fence: 'Fence',
     column: 'Column',
-    'door-leaf': 'Door in a frame',
     steps: 'Steps',
+    ground: 'Ground',
+  },
+  play: {
+    player: 'Player',
+    door: 'Door',
+    zone: 'Zone',
+    flicker: 'Flicker',
+    follow: 'Follow',
+    patrol: 'Patrol',
+  },
+  sky: {
+    'clear-day': 'Clear day',
+    overcast: 'Overcast',
+    sunset: 'Sunset',
+    'moonlit-night': 'Moonlit night',
+    studio: 'Studio',
   },
 } as const;
 
+/** Groups whose items are prefabs. */
+export type PrefabGroup = 'lamp' | 'prop' | 'play';
 export type LibraryGroup = keyof typeof libraryNames;
 export type LibraryId = { [G in LibraryGroup]: keyof (typeof libraryNames)[G] }[LibraryGroup];

@@ -4,6 +4,7 @@ import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 import type { FileAsset, FileObject } from '@farol/engine/files';
 import type { Prefab } from '@farol/engine/prefabs';
 import { type LibraryMaterial, libraryMaterials } from './materials';
+import { libraryScripts } from './scripts';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
@@ -17,13 +18,18 @@ export interface Place {
   readonly size?: Vector3Tuple;
 }
 
+/**
+ * Type of a component with the values that are no defaults; 'part:Hinge' stands for the id of the item's part of that
+ * name.
+ */
+export type PartComponent = readonly [type: string, values: Values];
+
 /** An object of a library's item, with what is below it. */
 export interface Part extends Place {
   /** English name. */
   readonly name: string;
   readonly tags?: readonly string[];
-  /** Types of components with the values that are no defaults. */
-  readonly components?: readonly (readonly [type: string, values: Values])[];
+  readonly components?: readonly PartComponent[];
   readonly parts?: readonly Part[];
 }
 
@@ -44,13 +50,19 @@ export const mesh = (name: string, shape: string, material: LibraryMaterial, pla
 export const glow = (name: string, shape: string, material: LibraryMaterial, place: Place): Part =>
   mesh(name, shape, material, place, { castShadow: false, receiveShadow: false });
 
+/** A part that bodies collide with: a box round its mesh unless `shape` says otherwise. */
+export const solid = (part: Part, shape?: 'cylinder'): Part => ({
+  ...part,
+  components: [...(part.components ?? []), ['Collider', shape ? { shape } : {}]],
+});
+
 export const light = (values: Values, place: Place = {}, name = 'Light'): Part => ({
   name,
   ...place,
   components: [['Light', values]],
 });
 
-/** Prefab of an item, and the materials that it uses. */
+/** Prefab of an item, and the materials and scripts that it uses. */
 export interface BuiltItem {
   readonly prefab: Prefab;
   readonly assets: readonly FileAsset[];
@@ -65,22 +77,46 @@ export const materialAsset = (material: LibraryMaterial): FileAsset => ({
   values: { ...libraryMaterials[material] },
 });
 
+export const scriptAsset = (type: string): FileAsset => ({
+  name: `${t('Library')}/${type}`,
+  type: 'script',
+  values: { source: libraryScripts[type] },
+});
+
+/** Values of a component with names and ids as in the scene. @param idOf - id of a part, by its English name */
+function namedValues(values: Values, idOf: ReadonlyMap<string, string>): Record<string, FieldValue> {
+  const named: Record<string, FieldValue> = { ...values };
+  if (typeof values.material === 'string') named.material = materialName(values.material as LibraryMaterial);
+  for (const [field, value] of Object.entries(values))
+    if (typeof value === 'string' && value.startsWith('part:')) named[field] = idOf.get(value.slice(5))!;
+  return named;
+}
+
 /** Prefab of an item, in the language that is shown. @param id - of the item, such as 'street-lamp' @param name - English */
 export function buildItem(id: string, name: string, root: ItemRoot): BuiltItem {
-  const objects: FileObject[] = [];
+  const list: { readonly part: Part; readonly id: string; readonly parent: string | null }[] = [];
+  const idOf = new Map<string, string>();
+  const visit = (part: Part, parent: string | null): void => {
+    const own = parent === null ? `library-${id}` : `library-${id}-${list.length}`;
+    idOf.set(part.name, own);
+    list.push({ part, id: own, parent });
+    for (const each of part.parts ?? []) visit(each, own);
+  };
+  visit({ ...root, name }, null);
   const used = new Map<string, FileAsset>();
-  const add = ({ name, at, turn, size, tags, components = [], parts = [] }: Part, parent: string | null): void => {
-    const own = parent === null ? `library-${id}` : `library-${id}-${objects.length}`;
+  const objects = list.map(({ part, id: own, parent }): FileObject => {
+    const { at, turn, size, tags, components = [] } = part;
     const pose = { ...(at && { position: at }), ...(turn && { rotation: turn }), ...(size && { scale: size }) };
+    const counts = new Map<string, number>();
     const made = [['Transform', pose as Values] as const, ...components].map(([type, values]) => {
+      const count = (counts.get(type) ?? 0) + 1;
+      counts.set(type, count);
       const material = values.material as LibraryMaterial | undefined;
       if (material) used.set(material, materialAsset(material));
-      const named = material ? { ...values, material: materialName(material) } : { ...values };
-      return { type, version: 1, id: `${own}:${type}`, values: named as Record<string, FieldValue> };
+      if (Object.hasOwn(libraryScripts, type)) used.set(type, scriptAsset(type));
+      return { type, version: 1, id: `${own}:${type}${count > 1 ? count : ''}`, values: namedValues(values, idOf) };
     });
-    objects.push({ id: own, name: t(name), parent, ...(tags && { tags: [...tags] }), components: made });
-    for (const each of parts) add(each, own);
-  };
-  add({ ...root, name }, null);
+    return { id: own, name: t(part.name), parent, ...(tags && { tags: [...tags] }), components: made };
+  });
   return { prefab: { id: objects[0].id, name: objects[0].name, objects }, assets: [...used.values()] };
 }

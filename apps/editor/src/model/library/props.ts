@@ -1,6 +1,6 @@
 import type { Vector3Tuple } from '@farol/engine/fields';
 import type { libraryNames } from './names';
-import { type ItemRoot, mesh, type Part } from './parts';
+import { type ItemRoot, mesh, type Part, solid } from './parts';
 
 /** A ball of leaves. @param at - its middle (m) @param width - m */
 const leaves = (at: Vector3Tuple, width: number): Part =>
@@ -21,8 +21,10 @@ const legs = (x: number, z: number, height: number, width: number): Part[] =>
 export const props: Readonly<Record<keyof typeof libraryNames.prop, () => ItemRoot>> = {
   street: () => ({
     parts: [
-      mesh('Road', 'box', 'Asphalt', { at: [0, 0.01, 0], size: [40, 0.04, 6] }),
-      ...[-1, 1].map((side) => mesh('Pavement', 'box', 'Paving', { at: [0, 0.075, side * 4.5], size: [40, 0.15, 3] })),
+      solid(mesh('Road', 'box', 'Asphalt', { at: [0, 0.01, 0], size: [40, 0.04, 6] })),
+      ...[-1, 1].map((side) =>
+        solid(mesh('Pavement', 'box', 'Paving', { at: [0, 0.075, side * 4.5], size: [40, 0.15, 3] })),
+      ),
       ...Array.from({ length: 10 }, (_, i) =>
         mesh('Line', 'box', 'Enamel', { at: [-18 + i * 4, 0.031, 0], size: [1.6, 0.004, 0.12] }, { castShadow: false }),
       ),
@@ -30,7 +32,7 @@ export const props: Readonly<Record<keyof typeof libraryNames.prop, () => ItemRo
   }),
   tree: () => ({
     parts: [
-      mesh('Trunk', 'cylinder', 'Bark', { at: [0, 1, 0], size: [0.28, 2, 0.28] }),
+      solid(mesh('Trunk', 'cylinder', 'Bark', { at: [0, 1, 0], size: [0.28, 2, 0.28] }), 'cylinder'),
       mesh('Branch', 'cylinder', 'Bark', { at: [0.25, 2, 0.1], turn: [0.2, 0, -0.6], size: [0.14, 1, 0.14] }),
       leaves([0, 3.2, 0], 2.4),
       leaves([0.75, 2.7, 0.3], 1.6),
@@ -59,7 +61,10 @@ export const props: Readonly<Record<keyof typeof libraryNames.prop, () => ItemRo
     ],
   }),
   table: () => ({
-    parts: [mesh('Top', 'box', 'Wood', { at: [0, 0.73, 0], size: [1.4, 0.04, 0.8] }), ...legs(0.62, 0.32, 0.71, 0.06)],
+    parts: [
+      solid(mesh('Top', 'box', 'Wood', { at: [0, 0.73, 0], size: [1.4, 0.04, 0.8] })),
+      ...legs(0.62, 0.32, 0.71, 0.06),
+    ],
   }),
   chair: () => ({
     parts: [
@@ -71,7 +76,7 @@ export const props: Readonly<Record<keyof typeof libraryNames.prop, () => ItemRo
   }),
   crate: () => ({
     parts: [
-      mesh('Box', 'box', 'Wood', { at: [0, 0.4, 0], size: [0.76, 0.76, 0.76] }),
+      solid(mesh('Box', 'box', 'Wood', { at: [0, 0.4, 0], size: [0.76, 0.76, 0.76] })),
       ...[-1, 1].flatMap((x) =>
         [-1, 1].map((z) => mesh('Edge', 'box', 'Wood', { at: [x * 0.37, 0.4, z * 0.37], size: [0.08, 0.8, 0.08] })),
       ),
@@ -83,7 +88,7 @@ export const props: Readonly<Record<keyof typeof libraryNames.prop, () => ItemRo
   }),
   barrel: () => ({
     parts: [
-      mesh('Barrel', 'cylinder', 'Wood', { at: [0, 0.45, 0], size: [0.58, 0.9, 0.58] }),
+      solid(mesh('Barrel', 'cylinder', 'Wood', { at: [0, 0.45, 0], size: [0.58, 0.9, 0.58] }), 'cylinder'),
       ...[0.12, 0.35, 0.55, 0.78].map((y) =>
         mesh('Hoop', 'cylinder', 'Cast iron', { at: [0, y, 0], size: [0.6, 0.05, 0.6] }),
       ),
@@ -106,32 +111,24 @@ export const props: Readonly<Record<keyof typeof libraryNames.prop, () => ItemRo
     parts: [
       mesh('Base', 'box', 'Marble', { at: [0, 0.1, 0], size: [0.7, 0.2, 0.7] }),
       mesh('Ring', 'cylinder', 'Marble', { at: [0, 0.25, 0], size: [0.62, 0.1, 0.62] }),
-      mesh('Shaft', 'cylinder', 'Marble', { at: [0, 1.75, 0], size: [0.5, 2.9, 0.5] }),
+      solid(mesh('Shaft', 'cylinder', 'Marble', { at: [0, 1.75, 0], size: [0.5, 2.9, 0.5] }), 'cylinder'),
       mesh('Ring', 'cylinder', 'Marble', { at: [0, 3.23, 0], size: [0.62, 0.08, 0.62] }),
       mesh('Capital', 'box', 'Marble', { at: [0, 3.37, 0], size: [0.74, 0.2, 0.74] }),
     ],
   }),
-  'door-leaf': () => ({
-    parts: [
-      ...[-0.48, 0.48].map((x) => mesh('Casing', 'box', 'Enamel', { at: [x, 1.04, 0], size: [0.06, 2.08, 0.18] })),
-      mesh('Casing', 'box', 'Enamel', { at: [0, 2.11, 0], size: [1.02, 0.06, 0.18] }),
-      {
-        name: 'Hinge',
-        at: [-0.44, 0, 0],
-        parts: [
-          mesh('Leaf', 'box', 'Wood', { at: [0.44, 1.04, 0], size: [0.87, 2.06, 0.05] }),
-          ...[-1, 1].map((side) =>
-            mesh('Handle', 'sphere', 'Brass', { at: [0.8, 1.02, side * 0.06], size: [0.07, 0.07, 0.07] }),
-          ),
-        ],
-      },
-    ],
-  }),
   steps: () => ({
     parts: [0, 1, 2, 3].map((i) =>
-      mesh('Step', 'box', 'Stone', {
-        ...{ at: [0, 0.085 * (i + 1), 0.45 - 0.3 * i], size: [1.6, 0.17 * (i + 1), 0.3] },
-      }),
+      solid(
+        mesh('Step', 'box', 'Stone', { at: [0, 0.085 * (i + 1), 0.45 - 0.3 * i], size: [1.6, 0.17 * (i + 1), 0.3] }),
+      ),
     ),
+  }),
+  ground: () => ({
+    size: [40, 1, 40],
+    components: [
+      ['ObjectRenderer', { mesh: 'plane', material: 'Grass', receiveShadow: true }],
+      // 1 m thick, so that nothing falls through
+      ['Collider', { fit: false, size: [1, 1, 1], offset: [0, -0.5, 0] }],
+    ],
   }),
 };

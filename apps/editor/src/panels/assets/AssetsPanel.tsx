@@ -1,6 +1,6 @@
-import { t } from '@farol/editing';
+import { t, tCount } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
-import { type KeyboardEvent, type ReactNode, useCallback, useMemo, useRef, useState } from 'react';
+import { Fragment, type KeyboardEvent, type ReactNode, useCallback, useMemo, useRef, useState } from 'react';
 import { type AssetEntry, assetEntries, type AssetKind, kindLabel } from '../../files/assetKinds';
 import { isFileDrag } from '../../files/dragAsset';
 import { placeAsset } from '../../files/placeAsset';
@@ -44,6 +44,33 @@ const filters = (): SelectOption<Filter>[] => [
   ...kinds.map((kind): SelectOption<Filter> => ({ value: kind, label: kindLabel(kind, true) })),
 ];
 
+interface Category {
+  readonly title: string;
+  readonly entries: readonly AssetEntry[];
+}
+
+/** Assets under headings: the scene's own, with parts right after their model; then those that come with Farol, by kind. */
+function categories(entries: readonly AssetEntry[]): Category[] {
+  const own = entries.filter(({ isBuiltin }) => !isBuiltin);
+  const withParts = own.flatMap((entry) =>
+    entry.model !== null ? [] : [entry, ...own.filter(({ model }) => model === entry.name)],
+  );
+  const lost = own.filter((entry) => !withParts.includes(entry));
+  return [
+    { title: t('Of this scene'), entries: [...withParts, ...lost] },
+    ...kinds.map((kind) => ({
+      title: kindLabel(kind, true),
+      entries: entries.filter((entry) => entry.isBuiltin && entry.kind === kind),
+    })),
+  ].filter((category) => category.entries.length > 0);
+}
+
+function countBy(names: readonly string[]): Map<string, number> {
+  const counts = new Map<string, number>();
+  for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);
+  return counts;
+}
+
 /** Whether a name contains every word of a search. */
 const matches = (label: string, search: string): boolean =>
   search
@@ -68,6 +95,11 @@ export function AssetsPanel(): ReactNode {
   const [search, setSearch] = useState('');
   const [filter, setFilter] = useState<Filter>('all');
   const [wanted, setFolder] = useState('');
+  const [unfolded, setUnfolded] = useState<ReadonlySet<string>>(new Set());
+  const unfold = (model: string): void =>
+    setUnfolded(
+      (before) => new Set(before.has(model) ? [...before].filter((each) => each !== model) : [...before, model]),
+    );
   const [isOver, setIsOver] = useState(false);
   const pressed = useRef<Pressed>({ entry: null, folder: null });
   // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision changes with the library and the prefabs
@@ -82,8 +114,18 @@ export function AssetsPanel(): ReactNode {
   const entries = all.filter(
     (entry) =>
       fits(entry) &&
-      (isFlat ? matches(`${entry.folder} ${entry.label}`, search) : entry.folder === folder && !entry.isVariant),
+      (isFlat
+        ? matches(`${entry.folder} ${entry.label} ${entry.name}`, search)
+        : entry.folder === folder && !entry.isVariant),
   );
+  const isUnsorted = isFlat || (filter !== 'all' && filter !== 'own');
+  /** Numbers of parts, by model; they are folded into its card until asked for. */
+  const parts = useMemo(
+    () => countBy(all.flatMap(({ model, isVariant }) => (model && !isVariant ? [model] : []))),
+    [all],
+  );
+  const shown = isUnsorted ? entries : entries.filter(({ model }) => model === null || unfolded.has(model));
+  const groups = isUnsorted ? [{ title: '', entries: shown }] : categories(shown);
   const below = isFlat ? [] : folders.filter((path) => splitName(path).folder === folder);
 
   /** Remembers the card under the pointer: a context menu opened by a long press does not report it. */
@@ -139,7 +181,7 @@ export function AssetsPanel(): ReactNode {
           onContextMenu={note}
           onKeyDown={press}
         >
-          {entries.length + below.length === 0 && (
+          {shown.length + below.length === 0 && (
             <p className="assets-empty">
               {isFlat ? t('Nothing of that name.') : t('Nothing here yet. Drop files here to import them.')}
             </p>
@@ -155,17 +197,36 @@ export function AssetsPanel(): ReactNode {
                 </FolderTarget>
               </li>
             ))}
-            {entries.map((entry) => (
-              <li key={`${entry.kind}/${entry.name}`}>
-                <AssetCard
-                  entry={entry}
-                  selected={assetSelection.has(entry.name)}
-                  dragged={assetSelection.items}
-                  onSelect={select}
-                  onPlace={place}
-                />
-                {entry.kind === 'sound' && <LateSoundButton name={entry.name} />}
-              </li>
+            {groups.map(({ title, entries: grouped }) => (
+              <Fragment key={title}>
+                {groups.length > 1 && <li className="assets-heading">{title}</li>}
+                {grouped.map((entry) => (
+                  <li key={`${entry.kind}/${entry.name}`} data-part={entry.model !== null}>
+                    <AssetCard
+                      entry={entry}
+                      selected={assetSelection.has(entry.name)}
+                      dragged={assetSelection.items}
+                      onSelect={select}
+                      onPlace={place}
+                    />
+                    {entry.kind === 'sound' && <LateSoundButton name={entry.name} />}
+                    {!isUnsorted && parts.has(entry.name) && (
+                      <button
+                        type="button"
+                        className="asset-parts"
+                        aria-expanded={unfolded.has(entry.name)}
+                        title={t('Parts of {name}', { name: entry.label })}
+                        onClick={() => unfold(entry.name)}
+                      >
+                        <span className="fold" data-open={unfolded.has(entry.name)}>
+                          <Icon name="chevron" size={8} />
+                        </span>
+                        {tCount(parts.get(entry.name)!, '{count} part', '{count} parts')}
+                      </button>
+                    )}
+                  </li>
+                ))}
+              </Fragment>
             ))}
           </ul>
         </ContextMenu.Trigger>

@@ -133,6 +133,11 @@ export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonl
     });
     entries.push({ label: t('Place unpacked'), icon: 'tree', help, run });
   }
+  if (kind === 'prefab') {
+    const help = t('Keeps it with all that it uses, for every scene of this browser.');
+    const run = attempt(async () => (await import('../../files/library/ownLibrary')).keepInLibrary(editor, name));
+    entries.push({ label: t('Put into the library'), icon: 'lamp', help, run });
+  }
   const label = kind === 'prefab' ? t('Select instances') : t('Select what uses it');
   entries.push({ label, icon: 'select', run: attempt(() => selectUsers(editor, entry)) });
   if (kind === 'prefab' || canRename(document.assets, name)) {

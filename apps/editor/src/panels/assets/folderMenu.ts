@@ -4,6 +4,7 @@ import type { EditorApi } from '../../api/EditorApi';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { addFolder, addMaterial, removeFolder, renameFolder } from '../../model/assetEdits';
 import { joinName, splitName } from '../../model/assetNames';
+import { libraryScripts } from '../../model/library/scripts';
 import { newScript } from '../../files/newScript';
 import { chooseFiles } from './chooseFiles';
 
@@ -59,6 +60,14 @@ export function removeFolderAsked({ document, commands }: EditorApi, path: strin
   commands.run(removeFolder(document.scene, path));
 }
 
+/** Entries for new scripts that begin as one of the library's. */
+const templateEntries = (editor: EditorApi, folder: string): MenuEntry[] =>
+  Object.entries(libraryScripts).map(([type, source]) => ({
+    label: t(type),
+    icon: 'code',
+    run: () => editor.attempt(() => newScript(editor, joinName(folder, type), [], { type, source })),
+  }));
+
 /** Menu entries for adding things to a folder. */
 export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
@@ -66,6 +75,7 @@ export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
     { label: t('New material'), icon: 'contrast', run: attempt(() => newMaterial(editor, folder)) },
     { label: t('New surface'), icon: 'code', run: attempt(() => newSurface(editor, folder)) },
     { label: t('New script'), icon: 'code', run: attempt(() => newScript(editor, joinName(folder, t('Script')))) },
+    { label: t('Script from a template'), icon: 'code', entries: templateEntries(editor, folder) },
     { label: t('New folder…'), icon: 'folder', run: attempt(() => newFolder(editor, folder)) },
     'separator',
     { label: t('Import…'), icon: 'open', run: attempt(() => chooseFiles(editor)) },

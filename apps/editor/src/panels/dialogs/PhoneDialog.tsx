@@ -10,6 +10,11 @@ import { CopyButton } from './CopyButton';
 /** Command that makes the dev server answer phones, not translated. */
 const COMMAND = 'npm start -- --host';
 
+/** Shows the end of a long address, by which two of them differ. */
+const showEnd = (input: HTMLInputElement | null): void => {
+  if (input) input.scrollLeft = input.scrollWidth;
+};
+
 /** Address and QR code of the scene as it stands, for a phone or a headset, which then follows the edits. */
 export function PhoneDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
@@ -61,7 +66,15 @@ export function PhoneDialog({ onClose }: { onClose(): void }): ReactNode {
             </div>
           )}
           <div className="export-row">
-            <input className="input" type="text" readOnly value={address} aria-label={t('Address for the phone')} />
+            <input
+              key={address}
+              className="input"
+              type="text"
+              readOnly
+              value={address}
+              aria-label={t('Address for the phone')}
+              ref={showEnd}
+            />
             <CopyButton text={address} label={t('Address')} />
           </div>
           <p className="export-note">

@@ -46,6 +46,8 @@ export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
   const list = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => fitTabs(list.current!));
   const maximised = useSyncExternalStore(layout.subscribe, layout.maximised);
+  const title = t(panels.get(active)?.title ?? active);
+  const maximiseLabel = maximised === null ? t('Maximise {title}', { title }) : t('Give the window back');
   const keyDown = (event: KeyboardEvent, panel: string): void => {
     const side = towards[event.key];
     if (event.altKey && event.shiftKey && side) {
@@ -67,12 +69,7 @@ export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
   };
   return (
     <div className="tabs">
-      <div
-        ref={list}
-        className="tab-list"
-        role="tablist"
-        aria-label={t('Panels with {title}', { title: t(panels.get(active)?.title ?? active) })}
-      >
+      <div ref={list} className="tab-list" role="tablist" aria-label={t('Panels with {title}', { title })}>
         {ids.map((id) => {
           const panel = panels.get(id);
           if (!panel) return null;
@@ -108,6 +105,16 @@ export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
           );
         })}
       </div>
+      <button
+        type="button"
+        className="button small tab-maximise"
+        aria-label={maximiseLabel}
+        title={maximiseLabel}
+        aria-pressed={maximised !== null}
+        onClick={() => layout.maximise(maximised === null ? active : null)}
+      >
+        <Icon name="maximise" size={12} />
+      </button>
     </div>
   );
 }

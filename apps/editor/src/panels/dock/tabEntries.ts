@@ -61,6 +61,6 @@ export function tabEntries(
     },
     { label: t('Close'), icon: 'close', keys: 'Delete', run: () => layout.close(id) },
     'separator',
-    { label: t('Panels as at first'), icon: 'panels', run: () => layout.reset() },
+    { label: t('Reset the panels'), icon: 'panels', run: () => layout.reset() },
   ];
 }

@@ -43,9 +43,13 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
   const { figures } = wipe;
   const times = usePoll(
     useCallback(() => {
-      const time = ({ cpuMs, gpuMs }: { cpuMs: number; gpuMs: number | null }): string =>
-        gpuMs === null ? `${cpuMs.toFixed(2)} ms CPU` : `${gpuMs.toFixed(2)} ms GPU`;
-      return `${time(viewport.farol.info)}\n${time(wipe.other.info)}`;
+      const both = [viewport.farol.info, wipe.other.info];
+      // of one kind, so that they can be compared
+      const isTimed = both.every(({ gpuMs }) => gpuMs !== null);
+      const times = both.map(({ cpuMs, gpuMs }) =>
+        isTimed ? `${gpuMs!.toFixed(2)} ms GPU` : `${cpuMs.toFixed(2)} ms CPU`,
+      );
+      return times.join('\n');
     }, [viewport, wipe]),
     4,
   ).split('\n');

@@ -5,6 +5,7 @@ import { viewLabel } from '../../actions/display';
 import { gridCells, LABEL } from '../../viewport/painters/gridCells';
 import { gridViews, ViewsPainter } from '../../viewport/painters/ViewsPainter';
 import { WipePainter } from '../../viewport/painters/WipePainter';
+import { IlluminanceScale } from './IlluminanceScale';
 import './overlay.css';
 
 /** Overlay of a viewport with several images: names of the views, or the border between two techniques. */
@@ -14,7 +15,7 @@ export function PainterOverlay(): ReactNode {
   const { painter } = viewport;
   if (painter instanceof ViewsPainter) return <ViewNames />;
   if (painter instanceof WipePainter) return <WipeHandle wipe={painter} />;
-  return null;
+  return painter?.isIlluminance ? <IlluminanceScale /> : null;
 }
 
 /** Names above the views of the grid; a click shows that view alone. */

@@ -25,13 +25,13 @@ export function ViewsSection(): ReactNode {
         />
       </div>
       <div className="field">
-        <span className="field-label">{t('Hottest count')}</span>
+        <span className="field-label">{t('Heat map maximum')}</span>
         <NumberInput
           value={viewport.farol.heatMapMaximum}
           min={1}
           max={1024}
           step={1}
-          label={t('Hottest count')}
+          label={t('Heat map maximum')}
           description={t('Lights, or draws, a pixel at which light count and overdraw are red.')}
           handle={<span className="grip" />}
           onPreview={setMaximum}

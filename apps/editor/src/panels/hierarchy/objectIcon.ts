@@ -2,6 +2,7 @@ import {
   AudioSource,
   Camera,
   Decal,
+  FogVolume,
   type GameObject,
   Light,
   LightGroup,
@@ -24,6 +25,7 @@ export function objectIcon(object: GameObject): IconName {
   if (object.getComponent(Wall)) return 'wall';
   if (object.getComponent(ObjectRenderer) || object.getComponent(ModelRenderer)) return 'mesh';
   if (object.getComponent(Decal)) return 'decal';
+  if (object.getComponent(FogVolume)) return 'fog';
   if (object.getComponent(AudioSource)) return 'sound';
   return object.children.length > 0 ? 'folder' : 'object';
 }

@@ -18,8 +18,10 @@ import { MaterialPreview } from './MaterialPreview';
 import { ModelBar } from './ModelBar';
 import { ObjectSurfaceBar } from './ObjectSurfaceBar';
 import { Section } from './Section';
+import { TriggerProblems } from './TriggerProblems';
 
 const LateLightBar = lateComponent(async () => (await import('./LightBar')).LightBar);
+const LateSunBar = lateComponent(async () => (await import('./sun/SunBar')).SunBar);
 
 /**
  * A component of the selected objects: its fields, whether it is enabled, and its menu.
@@ -77,11 +79,13 @@ export function ComponentSection(props: { components: readonly Component[] }): R
         </>
       }
     >
+      {typeName === 'Light' && <LateLightBar components={components} />}
       <FieldList owners={components} />
       <ObjectSurfaceBar components={components} />
+      {typeName === 'EventTrigger' && <TriggerProblems components={components} />}
       {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'Animation' && <AnimationBar components={components} />}
-      {typeName === 'Light' && <LateLightBar components={components} />}
+      {typeName === 'SunAndMoon' && <LateSunBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
     </Section>
   );

@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import type { ReactNode } from 'react';
+import { type ReactNode, useState } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { useIsFiltering } from '../../ui/FieldFilter';
 import { Icon } from '../../ui/Icon';
@@ -9,14 +9,17 @@ interface FieldGroupProps {
   /** Key under which the folded state is stored. */
   readonly id: string;
   readonly title: string;
+  /** Whether it is folded until the user says otherwise; read once, so that editing folds nothing. */
+  readonly isFoldedAtFirst: boolean;
   readonly children: ReactNode;
 }
 
 /** A foldable group of fields in a section; its state is remembered. */
-export function FieldGroup({ id, title, children }: FieldGroupProps): ReactNode {
+export function FieldGroup({ id, title, isFoldedAtFirst, children }: FieldGroupProps): ReactNode {
   const { preferences } = useEditor();
   const isFiltering = useIsFiltering();
-  const isFolded = usePreferences(({ folded }) => folded[id] ?? false) && !isFiltering;
+  const [first] = useState(isFoldedAtFirst);
+  const isFolded = usePreferences(({ folded }) => folded[id] ?? first) && !isFiltering;
   const fold = (): void => {
     preferences.setState((before) => ({ folded: { ...before.folded, [id]: !isFolded } }));
   };

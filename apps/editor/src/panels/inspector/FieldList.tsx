@@ -4,8 +4,12 @@ import type { ReactElement, ReactNode } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { FieldGroup } from './FieldGroup';
+import { allAtDefault, isAtDefault } from './atDefault';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
+
+/** Group of the material that an object makes of its own fields: folded, since materials are edited as assets. */
+const OWN_MATERIAL = 'Own material';
 
 /** Choices of a text field, one per line; null when it takes any text. */
 function choicesOf(owner: FieldOwner, field: Field): string | null {
@@ -29,9 +33,6 @@ interface FieldListProps {
   readonly names?: readonly string[];
 }
 
-const isDefault = (owner: FieldOwner, name: string): boolean =>
-  sameValue(owner.getAuthored(name), owner.fields[name].default);
-
 /** The relevant fields of a component, or of several of one type. */
 export function FieldList({ owners, names }: FieldListProps): ReactNode {
   const { document, commands } = useEditor();
@@ -45,7 +46,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
     .filter((name) => owners.every(({ fields }) => Object.hasOwn(fields, name)))
     .filter((name) => owner.fields[name].besideField === undefined)
     .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
-    .filter((name) => !owner.fields[name].deprecated || owners.some((each) => !isDefault(each, name)))
+    .filter((name) => !owner.fields[name].deprecated || owners.some((each) => !isAtDefault(each, name)))
     .map((name) => {
       const field = fieldInUnit(shownField(owners, name), (other) => owners.map((each) => each.getAuthored(other)));
       const { value, mixed, parts } = sharedValue(owners.map((each) => commands.valueOf(each, name)));
@@ -64,21 +65,31 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
         />
       );
     });
-  return inGroups(owner, rows);
+  return inGroups(owners, rows);
 }
 
-/** Puts the fields of each group below its title, after fields without a group. */
-function inGroups(owner: FieldOwner, rows: readonly ReactElement[]): ReactNode {
+/** Puts the fields of each group below its title, after fields without a group; a group at its defaults is folded. */
+function inGroups(owners: readonly FieldOwner[], rows: readonly ReactElement[]): ReactNode {
+  const [owner] = owners;
   const groupOf = ({ key }: ReactElement): string | undefined => owner.fields[key!].group;
   const groups = new Set(rows.map(groupOf));
   groups.delete(undefined);
   if (groups.size === 0) return rows;
   return [
     ...rows.filter((row) => groupOf(row) === undefined),
-    ...[...groups].map((group) => (
-      <FieldGroup key={`group ${group}`} id={`${owner.ownerName}/${group}`} title={group!}>
-        {rows.filter((row) => groupOf(row) === group)}
-      </FieldGroup>
-    )),
+    ...[...groups].map((group) => {
+      const grouped = rows.filter((row) => groupOf(row) === group);
+      const names = grouped.map(({ key }) => key!);
+      return (
+        <FieldGroup
+          key={`group ${group}`}
+          id={`${owner.ownerName}/${group}`}
+          title={group!}
+          isFoldedAtFirst={group === OWN_MATERIAL || owners.every((each) => allAtDefault(each, names))}
+        >
+          {grouped}
+        </FieldGroup>
+      );
+    }),
   ];
 }

@@ -5,6 +5,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { FieldFilter } from '../../ui/FieldFilter';
 import './inspector.css';
 import { AssetInspector } from '../material/AssetInspector';
+import { fieldSearchOf } from './fieldSearch';
 import { ObjectInspector } from './ObjectInspector';
 import { SceneInspector } from './SceneInspector';
 
@@ -16,7 +17,10 @@ export function InspectorPanel(): ReactNode {
   useSignal(document.assetSelection.changed);
   useSignal(document.opened);
   const [{ help, of: helpOf }, showHelp] = useState<{ help: string; of: unknown }>({ help: '', of: null });
-  const [filter, setFilter] = useState('');
+  const search = fieldSearchOf(editor);
+  useSignal(search.changed);
+  const { text: filter } = search;
+  const setFilter = (text: string): void => void (search.text = text);
   const words = useMemo(() => wordsOfFilter(filter), [filter]);
   // deferred, so that walking through the tree with a held key does not wait for the inspector
   const ids = useDeferredValue(document.selection.ids);

@@ -1,7 +1,6 @@
-import { t } from '@farol/editing';
-import type { Component } from '@farol/engine';
+import { SetFields, t } from '@farol/editing';
+import { type Component, SunAndMoon } from '@farol/engine';
 import { lightPresets, type PhotometricLight, valuesOfPreset } from '@farol/engine/photometry';
-import { SetFields } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { ownersName } from '../../model/ownersName';
 import { useEditor } from '../../ui/EditorContext';
@@ -33,6 +32,9 @@ export function LightBar({ components }: { components: readonly Component[] }): 
           }))
         }
       />
+      {components.some(({ gameObject }) => gameObject.getComponent(SunAndMoon)?.isActive) && (
+        <p className="model-problem">{t('Sun and moon give this light its colour, intensity and direction.')}</p>
+      )}
     </div>
   );
 }

@@ -3,6 +3,8 @@ import type { Component, GameObject } from '@farol/engine';
 import { memo, type ReactNode, useMemo } from 'react';
 import { addComponent, renameObject, setActive } from '../../model/edits';
 import { changeStatic } from '../../actions/changeStatic';
+import { addLibraryScript } from '../../model/library/addLibraryScript';
+import { libraryScripts } from '../../model/library/scripts';
 import { scriptOfType } from '../../model/scriptNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -13,6 +15,7 @@ import { objectIcon } from '../hierarchy/objectIcon';
 import { componentIcon, wordsOf } from './componentIcons';
 import { PrefabBar } from '../prefab/PrefabBar';
 import { ComponentSection } from './ComponentSection';
+import { TagsField } from './TagsField';
 
 /** The components that all objects have: a group for each type, in the first object's order. */
 function sharedComponents(objects: readonly GameObject[]): (readonly Component[])[] {
@@ -74,10 +77,18 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
         icon: scriptOfType(document.scene, type.typeName) === null ? componentIcon(type) : 'code',
         disabled: type.unique && objects.every((object) => object.getComponent(type.typeName)),
       })),
+    ...Object.keys(libraryScripts)
+      .filter((name) => !types.has(name))
+      .map((name) => ({ value: name, label: t(name), help: t('A script of the library.'), icon: 'code' as const })),
     { value: NEW_SCRIPT, label: t('New script…'), help: t('A component of your own, written here.'), icon: 'code' },
   ];
   const add = (name: string): void =>
     editor.attempt(async () => {
+      if (!types.has(name) && name !== NEW_SCRIPT) return commands.run(addLibraryScript(document.scene, objects, name));
+      if (name === 'CharacterController' && objects.some((object) => object.getComponent('Camera'))) {
+        const { addCharacter } = await import('../../model/addPhysics');
+        return commands.run(addCharacter(document.scene, objects, ids));
+      }
       if (name !== NEW_SCRIPT) return commands.run(addComponent(document.scene, objects, types.get(name)!));
       const { newScript } = await import('../../files/newScript');
       newScript(editor, t('Script'), objects);
@@ -106,6 +117,9 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
           description={t('The object stays where it is: baked light gives it a lightmap.')}
           onChange={(isStatic) => editor.attempt(() => changeStatic(editor, objects, isStatic))}
         />
+        <span className="object-static" aria-hidden="true">
+          {t('Active')}
+        </span>
         <Toggle
           value={mixed ? null : first.active}
           label={t('Active')}
@@ -114,6 +128,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
         />
       </div>
       {isOne && first.prefabLink && <PrefabBar object={first} />}
+      <TagsField objects={objects} />
       {groups.map((components) => (
         <ComponentSection key={components.map(keyOf).join()} components={components} />
       ))}

@@ -1,7 +1,9 @@
 import { t } from '@farol/editing';
 import { effectFields, type SceneSettings } from '@farol/engine';
-import { type ReactNode, useMemo } from 'react';
+import { type ReactNode, useMemo, useState } from 'react';
+import { allAtDefault } from './atDefault';
 import { FieldList } from './FieldList';
+import type { IconName } from '../../style/iconPaths';
 import { Section } from './Section';
 import { TechniqueLimit } from './TechniqueLimit';
 
@@ -23,7 +25,9 @@ const sky = [
 ];
 const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];
 const picture = [
-  ...['technique', 'quality', 'antialiasing', 'frameBudget', 'toneMapping', 'exposure'],
+  ...['technique', 'quality', 'antialiasing', 'frameBudget', 'toneMapping'],
+  ...['exposureBy', 'exposure', 'exposureValue', 'aperture', 'shutterTime', 'iso'],
+  ...['exposureLeast', 'exposureMost', 'exposureTime'],
   ...Object.keys(effectFields),
 ];
 const shadows = ['shadowKind', 'shadowSoftness', 'shadowCascades'];
@@ -34,32 +38,74 @@ const effects = [
   ...['vignette', 'vignetteDarkness', 'vignetteSize'],
 ];
 
+interface SettingsSectionProps {
+  readonly id: string;
+  readonly title: string;
+  readonly help: string;
+  readonly icon: IconName;
+  readonly settings: SceneSettings;
+  readonly names: readonly string[];
+  readonly children?: ReactNode;
+}
+
+/** A section of the scene's settings, folded at first where all are at their defaults. */
+export function SettingsSection({ settings, names, children, ...section }: SettingsSectionProps): ReactNode {
+  const owners = useMemo(() => [settings], [settings]);
+  const [isFoldedAtFirst] = useState(() => allAtDefault(settings, names));
+  return (
+    <Section {...section} isFoldedAtFirst={isFoldedAtFirst}>
+      <FieldList owners={owners} names={names} />
+      {children}
+    </Section>
+  );
+}
+
 /** Rendering settings of the scene. A feature that is off shows only its switch. */
 export function PictureSections({ settings }: { settings: SceneSettings }): ReactNode {
-  const owners = useMemo(() => [settings], [settings]);
   return (
     <>
-      <Section id="Sky" title={t('Sky')} help={t('What is seen behind the objects, and lights them.')} icon="world">
-        <FieldList owners={owners} names={sky} />
-      </Section>
-      <Section id="Fog" title={t('Fog')} help={t('How objects fade with distance.')} icon="world">
-        <FieldList owners={owners} names={fog} />
-      </Section>
-      <Section id="Picture" title={t('Picture')} help={t('How light becomes a picture.')} icon="contrast">
-        <FieldList owners={owners} names={picture} />
+      <SettingsSection
+        settings={settings}
+        id="Sky"
+        title={t('Sky')}
+        help={t('What is seen behind the objects, and lights them.')}
+        icon="world"
+        names={sky}
+      />
+      <SettingsSection
+        settings={settings}
+        id="Fog"
+        title={t('Fog')}
+        help={t('How objects fade with distance.')}
+        icon="world"
+        names={fog}
+      />
+      <SettingsSection
+        settings={settings}
+        id="Picture"
+        title={t('Picture')}
+        help={t('How light becomes a picture.')}
+        icon="contrast"
+        names={picture}
+      >
         <TechniqueLimit settings={settings} />
-      </Section>
-      <Section id="Shadows" title={t('Shadows')} help={t('How the shadows of all lights are drawn.')} icon="contrast">
-        <FieldList owners={owners} names={shadows} />
-      </Section>
-      <Section
+      </SettingsSection>
+      <SettingsSection
+        settings={settings}
+        id="Shadows"
+        title={t('Shadows')}
+        help={t('How the shadows of all lights are drawn.')}
+        icon="contrast"
+        names={shadows}
+      />
+      <SettingsSection
+        settings={settings}
         id="Picture effects"
         title={t('Picture effects')}
         help={t('What is done to the finished picture.')}
         icon="contrast"
-      >
-        <FieldList owners={owners} names={effects} />
-      </Section>
+        names={effects}
+      />
     </>
   );
 }

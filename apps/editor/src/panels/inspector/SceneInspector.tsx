@@ -31,6 +31,7 @@ export function SceneInspector(): ReactNode {
           }
         />
       </div>
+      <p className="scene-note">{t('Nothing is selected: these are the settings of the whole scene.')}</p>
       <Section id="Scene" title={t('Scene')} help={t('What belongs to the scene as a whole.')} icon="scene">
         {cameras.length > 0 && (
           <div className="field" data-help={t('The camera that the finished scene is seen with.')}>

@@ -1,20 +1,35 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useMemo, useState } from 'react';
+import { type ReactNode, useEffect, useMemo, useState } from 'react';
 import { setDraggedAsset } from '../../files/dragAsset';
 import { type LibraryItem, libraryItems } from '../../files/library/libraryItems';
+import {
+  itemsOfFolder,
+  keptItems,
+  libraryChanged,
+  openLibraryFolder,
+  type OwnItem,
+  removeFromLibrary,
+} from '../../files/library/ownLibrary';
 import { placeLibraryItem } from '../../files/library/placeLibraryItem';
-import type { LibraryGroup } from '../../model/library/names';
+import { Button } from '../../ui/Button';
 import { useEditor } from '../../ui/EditorContext';
+import { Icon } from '../../ui/Icon';
 import { SearchInput } from '../../ui/SearchInput';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import '../assets/assets.css';
+import './library.css';
 
-type Filter = LibraryGroup | 'all';
+type Filter = LibraryItem['group'] | 'all';
 
 const groups = (): SelectOption<Filter>[] => [
   { value: 'all', label: t('Everything') },
   { value: 'lamp', label: t('Lamps') },
   { value: 'prop', label: t('Props') },
+  { value: 'play', label: t('Behaviour') },
+  { value: 'sky', label: t('Skies') },
+  { value: 'material', label: t('Materials') },
+  { value: 'own', label: t('My own') },
+  { value: 'folder', label: t('Opened folder') },
 ];
 
 /** Whether the name or a tag of an item contains every word of a search. */
@@ -30,40 +45,108 @@ function matches({ label, tags }: LibraryItem, search: string): boolean {
 function LibraryCard({ item }: { readonly item: LibraryItem }): ReactNode {
   const editor = useEditor();
   return (
-    <button
-      type="button"
-      className="asset-card"
-      title={t('{name}: drag it into the picture, or click to add it', { name: item.label })}
-      draggable
-      onDragStart={(event) => setDraggedAsset(event.dataTransfer, { kind: 'library', name: item.id })}
-      onClick={() => editor.attempt(() => placeLibraryItem(editor, item.id))}
-    >
-      <span className="asset-picture">
-        <img src={item.picture} alt="" draggable={false} />
-      </span>
-      <span className="asset-name">{item.label}</span>
-    </button>
+    <>
+      <button
+        type="button"
+        className="asset-card"
+        title={t('{name}: drag it into the picture, or click to add it', { name: item.label })}
+        draggable
+        onDragStart={(event) => setDraggedAsset(event.dataTransfer, { kind: 'library', name: item.id })}
+        onClick={() => editor.attempt(() => placeLibraryItem(editor, item.id))}
+      >
+        <span className="asset-picture">
+          {item.picture === null ? (
+            <Icon name="prefab" size={28} />
+          ) : (
+            <img src={item.picture} alt="" draggable={false} />
+          )}
+        </span>
+        <span className="asset-name">{item.label}</span>
+      </button>
+      {item.group === 'own' && (
+        <button
+          type="button"
+          className="button small library-remove"
+          aria-label={t('Remove {name} from the library', { name: item.label })}
+          title={t('Remove {name} from the library', { name: item.label })}
+          onClick={() => editor.attempt(() => removeFromLibrary(item.id))}
+        >
+          <Icon name="remove" size={12} />
+        </button>
+      )}
+    </>
   );
 }
 
-/** Lamps and props to drag into the scene, found by group, tags and a search. */
+/** Prefabs that the user keeps, and those of the opened folder, with addresses of their pictures. */
+function useOwnItems(): readonly LibraryItem[] {
+  const [items, setItems] = useState<readonly LibraryItem[]>([]);
+  useEffect(() => {
+    let addresses: string[] = [];
+    let readings = 0;
+    const show = (group: 'own' | 'folder', list: readonly OwnItem[]): LibraryItem[] =>
+      list.map(({ id, name, tags, picture }) => {
+        const address = picture && URL.createObjectURL(picture);
+        if (address) addresses.push(address);
+        return { id, label: name, group, tags, picture: address };
+      });
+    const forget = (): void => {
+      for (const address of addresses) URL.revokeObjectURL(address);
+      addresses = [];
+    };
+    const read = async (): Promise<void> => {
+      const reading = ++readings;
+      const kept = await keptItems();
+      if (reading !== readings) return;
+      forget();
+      setItems([...show('own', kept), ...show('folder', itemsOfFolder())]);
+    };
+    void read();
+    const end = libraryChanged.subscribe(() => void read());
+    return () => {
+      readings++;
+      end();
+      forget();
+    };
+  }, []);
+  return items;
+}
+
+/** Lamps, props, behaviour, skies and materials to drag into the scene, found by group, tags and a search. */
 export function LibraryPanel(): ReactNode {
   const [search, setSearch] = useState('');
   const [filter, setFilter] = useState<Filter>('all');
   const [wanted, setTag] = useState('');
-  const all = useMemo(() => libraryItems(), []);
+  const editor = useEditor();
+  const own = useOwnItems();
+  const all = useMemo(() => [...libraryItems(), ...own], [own]);
   const inGroup = all.filter(({ group }) => filter === 'all' || group === filter);
   const tags = [...new Set(inGroup.flatMap((item) => item.tags))].toSorted((a, b) => a.localeCompare(b));
   // a tag that the group lacks filters nothing
   const tag = tags.includes(wanted) ? wanted : '';
   const items = inGroup.filter((item) => matches(item, search) && (tag === '' || item.tags.includes(tag)));
   const tagOptions = [{ value: '', label: t('Any tag') }, ...tags.map((value) => ({ value, label: value }))];
+  const openFolder = async (): Promise<void> => {
+    const { directoryOpen } = await import('browser-fs-access');
+    const files = await directoryOpen({ recursive: true });
+    await openLibraryFolder(
+      editor,
+      files.filter((file) => file instanceof File),
+    );
+    setFilter('folder');
+  };
   return (
     <section className="panel assets" aria-label={t('Library')}>
       <div className="assets-bar">
         <SearchInput label={t('Search the library')} placeholder={t('Search')} value={search} onSearch={setSearch} />
         <SelectBox<Filter> value={filter} options={groups()} label={t('Kind of item')} onChange={setFilter} />
         <SelectBox<string> value={tag} options={tagOptions} label={t('Tag')} onChange={setTag} />
+        <Button
+          icon="open"
+          label={t('Open folder…')}
+          title={t('Shows the prefabs of all scene files in a folder')}
+          onClick={() => editor.attempt(openFolder)}
+        />
       </div>
       <div className="assets-body">
         {items.length === 0 && <p className="assets-empty">{t('Nothing of that name.')}</p>}

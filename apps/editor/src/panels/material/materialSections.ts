@@ -26,7 +26,7 @@ export const materialSections: readonly MaterialSection[] = [
   },
   {
     id: 'Worn surface',
-    title: () => t('Worn surface'),
+    title: () => t('Surface effect'),
     help: () => t('GLSL of the library that changes its look and its shape, and the values that it asks for.'),
     fields: ['surface', 'surfaceValues', ...surfaceMaps],
   },

@@ -30,7 +30,7 @@ export function SurfaceUses({ name }: { name: string }): ReactNode {
           </ul>
         </>
       )}
-      <h3>{t('Worn by')}</h3>
+      <h3>{t('Used by')}</h3>
       {wearers.length === 0 && <p>{t('Nothing. Drag it from Assets onto an object.')}</p>}
       <ul>
         {wearers.map(({ place, object }) => (

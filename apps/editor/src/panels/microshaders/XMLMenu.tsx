@@ -56,7 +56,7 @@ export function XMLMenu(): ReactNode {
       className="button small"
       entries={() => [
         { label: t('Import XML…'), icon: 'open', run: () => editor.attempt(open) },
-        { label: t("Import the thesis's"), icon: 'open', run: () => editor.attempt(thesis) },
+        { label: t('Import the Phong lights of 2015'), icon: 'open', run: () => editor.attempt(thesis) },
         {
           label: t('Export XML…'),
           help: t('Those of the scene; all, when it has none.'),

@@ -8,6 +8,7 @@ import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
 import { matchItems } from './matchItems';
 import './palette.css';
+import { componentItems, fieldItems } from './fieldItems';
 import { LINES, objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
 
 /** Palette of all actions, and objects of the scene, found by typing. */
@@ -18,10 +19,12 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const list = useRef<HTMLUListElement>(null);
   const items = useMemo(() => paletteItems(editor), [editor]);
   const objects = useMemo(() => objectItems(editor), [editor]);
+  const fields = useMemo(() => [...componentItems(editor), ...fieldItems(editor)], [editor]);
   const found = useMemo(() => {
-    const named = query.trim() === '' ? [] : matchItems(objects, query).slice(0, OBJECTS);
-    return [...matchItems(items, query), ...named].slice(0, LINES);
-  }, [items, objects, query]);
+    if (query.trim() === '') return items.slice(0, LINES);
+    const named = matchItems(objects, query).slice(0, OBJECTS);
+    return [...matchItems([...items, ...fields], query).slice(0, LINES), ...named];
+  }, [items, fields, objects, query]);
   const current = Math.min(chosen, found.length - 1);
   useEffect(() => {
     list.current?.children[current]?.scrollIntoView({ block: 'nearest' });
@@ -59,7 +62,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
           aria-controls="palette-list"
           aria-activedescendant={found[current] ? `palette-${current}` : undefined}
           aria-autocomplete="list"
-          placeholder={t('A command, a technique, a view, something to add, an object')}
+          placeholder={t('A command, a field, a panel, a sample, something to add, an object')}
           autoComplete="off"
           spellCheck={false}
           value={query}

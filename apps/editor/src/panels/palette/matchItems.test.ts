@@ -19,3 +19,12 @@ it('finds by the letters of a query, whole words first', () => {
   expect(found('dupl')).toEqual(['Duplicate']);
   expect(found('xyz')).toEqual([]);
 });
+
+it('finds by words of the help what no label has, after what one has', () => {
+  const list = [
+    { label: 'Exposure', group: 'Scene', help: 'Factor of how bright the picture is.' },
+    { label: 'Brightness of the file', group: 'Light' },
+  ];
+  expect(matchItems(list, 'bright').map(({ label }) => label)).toEqual(['Brightness of the file', 'Exposure']);
+  expect(matchItems(list, 'ix')).toEqual([]);
+});

@@ -3,7 +3,12 @@ export interface Findable {
   readonly label: string;
   /** Group shown with the item, such as 'Technique'. */
   readonly group: string;
+  /** Text, such as a help, that is searched for whole words; they rank below those of label and group. */
+  readonly help?: string;
 }
+
+/** Rank of a word that only the help of an item has. */
+const HELPED = 0.5;
 
 /** Rank of a text for a query whose letters it contains in order; 0 when it does not. */
 function score(text: string, query: string): number {
@@ -28,7 +33,8 @@ export function matchItems<T extends Findable>(items: readonly T[], query: strin
   return items
     .map((item) => {
       const text = `${item.label} ${item.group}`.toLowerCase();
-      const scores = words.map((word) => score(text, word));
+      const help = item.help?.toLowerCase() ?? '';
+      const scores = words.map((word) => score(text, word) || (word.length > 2 && help.includes(word) ? HELPED : 0));
       return { item, sum: scores.includes(0) ? 0 : scores.reduce((a, b) => a + b, 0) };
     })
     .filter(({ sum }) => sum > 0)

@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { addCreation, libraryEntries } from '../../actions/addEntries';
-import { labelOf } from '../../api/Action';
+import { type Action, labelOf } from '../../api/Action';
 import { showPalette } from '../../actions/help';
 import { allActions } from '../../actions';
 import type { EditorApi } from '../../api/EditorApi';
@@ -39,12 +39,19 @@ const capital = (word: string): string => word.charAt(0).toUpperCase() + word.sl
 
 /** Group of an action, by the first part of its id. */
 export const groupOf = (id: string): string => {
+  if (id.startsWith('file.new.')) return t('Samples');
   const first = id.split('.')[0];
   return groups()[first] ?? capital(first);
 };
 
 /** Objects are listed only when the search finds no more than this many. */
 export const OBJECTS = 30;
+
+/** Runs an action that was searched for: one of a panel opens the panel, even when it is in front already. */
+function runFound(editor: EditorApi, action: Action): unknown {
+  const panel = /^panels\.show\.(.+)$/.exec(action.id)?.[1];
+  return panel === undefined ? action.run(editor) : editor.layout.open(panel);
+}
 
 /** Commands that are available now. */
 export function paletteItems(editor: EditorApi): PaletteItem[] {
@@ -58,7 +65,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
       icon: action.icon,
       keys: editor.keys.keysOf(action).at(0),
       isCurrent: action.checked?.(editor),
-      run: () => action.run(editor),
+      run: () => runFound(editor, action),
     }));
   const added = creations(document.scene).map((creation): PaletteItem => ({
     id: `add.${creation.folder ?? ''}.${creation.label}`,

@@ -64,7 +64,7 @@ export function SnapSteps(): ReactNode {
                 value={pivot}
                 label={t('Pivot')}
                 options={[
-                  { value: 'centre', label: t('Middle'), help: t('Of all that is selected') },
+                  { value: 'centre', label: t('Centre'), help: t('Centre of all that is selected') },
                   { value: 'each', label: t('Each'), help: t('Each object turns and grows in its place') },
                   { value: 'active', label: t('Last'), help: t('The object selected last') },
                 ]}

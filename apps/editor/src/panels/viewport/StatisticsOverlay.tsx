@@ -50,7 +50,7 @@ export function StatisticsOverlay(): ReactNode {
     4,
   );
   return (
-    <section className="statistics" aria-label={t('Figures of the frames')}>
+    <section className="statistics" aria-label={t('Frame statistics')}>
       <canvas ref={canvas} width={240} height={40} aria-hidden="true" />
       <dl>
         {figures.split('\n').map((line) => {

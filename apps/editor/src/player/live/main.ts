@@ -43,6 +43,8 @@ let scripts: SceneScripts | null = null;
 let isShown = false;
 let walks = false;
 let isBusy = false;
+/** Whether the scene is to begin anew, since the editor began to play. */
+let restarts = false;
 
 const blobs = new Map<string, Promise<Blob>>();
 
@@ -109,10 +111,16 @@ async function follow(): Promise<void> {
   if (isBusy) return;
   isBusy = true;
   try {
-    for (let target = told; target; target = told && changesBetween(shown, told).length > 0 ? told : null) {
+    for (
+      let target = told;
+      target;
+      target = told && (restarts || changesBetween(shown, told).length > 0) ? told : null
+    ) {
       const next = new Map(target);
       const changes = changesBetween(shown, next);
-      const isApplied = isShown && (await applyParts(app.scene, next, changes, registry, fileOf).catch(() => false));
+      const isApplied =
+        isShown && !restarts && (await applyParts(app.scene, next, changes, registry, fileOf).catch(() => false));
+      restarts = false;
       if (!isApplied) show(await makeScene(next));
       shown = next;
     }
@@ -132,6 +140,7 @@ function take(parts: Map<PartKey, string>, changes: readonly PartChange[]): void
 
 function receive(message: LiveMessage | RelayMessage): void {
   if (message.kind === 'away') line.textContent = t('The editor is away; its edits follow when it is back.');
+  else if (message.kind === 'play') restarts = isShown;
   else if (message.kind === 'whole') coming = new Map();
   else if (message.kind === 'parts') {
     const parts = coming ?? told;

@@ -20,7 +20,7 @@ const faces: Readonly<Record<Mount, (normal: Vector3) => boolean>> = {
   wall: ({ y }) => Math.abs(y) < 0.4,
 };
 
-/** What an object is fixed to, by its tags; null for what stands. */
+/** Ceiling or wall that an object is fixed to, by its tags; null where it stands. */
 export const mountOf = ({ tags }: GameObject): Mount | null => MOUNTS.find((mount) => tags.includes(mount)) ?? null;
 
 /** The nearest ceiling or wall in a direction from a point. */

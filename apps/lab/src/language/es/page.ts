@@ -357,4 +357,26 @@ export const page: Texts = {
   'Bytes of render targets and light data.': 'Bytes de destinos de dibujo y datos de luces.',
   Uploads: 'Envíos',
   'Bytes sent to the device in a frame.': 'Bytes enviados al dispositivo en un fotograma.',
+  'On {device} (a reference, not your machine):': 'En {device} (una referencia, no es tu equipo):',
+  'On {device}:': 'En {device}:',
+  'Fastest, or as fast as the fastest, in {wins} of {cases} cases.':
+    'La más rápida, o igual de rápida, en {wins} de {cases} casos.',
+  'With up to {few} lights: {first}; with {many} or more: {second}.':
+    'Con hasta {few} luces: {first}; con {many} o más: {second}.',
+  'a tie: within the spread': 'empate: dentro de la dispersión',
+  'To compare two runs, check the boxes before them.': 'Para comparar dos mediciones, se marcan sus casillas.',
+  'What auto learnt on this device': 'Lo que auto aprendió en este dispositivo',
+  'The technique “auto” picks another one by rules from one GPU. Here it measures those that it hesitates between, and keeps in this browser which is faster: pages of this address with the option “learning” go by that.':
+    'La técnica «auto» elige otra con reglas sacadas de una sola GPU. Aquí mide aquellas entre las que duda y guarda en este navegador cuál es más rápida: las páginas de esta dirección con la opción «learning» se guían por eso.',
+  'Let auto learn': 'Dejar que auto aprenda',
+  'Forget all of it': 'Olvidarlo todo',
+  'Nothing can be learnt here: there is no timer of the GPU.':
+    'Aquí no se puede aprender nada: no hay temporizador de la GPU.',
+  'Nothing yet.': 'Nada todavía.',
+  '{count} verdict.': '{count} veredicto.',
+  '{count} verdicts.': '{count} veredictos.',
+  '{gpu}, from {lights} lights, {coverage} over a pixel, {pixels} pixels':
+    '{gpu}, desde {lights} luces, {coverage} por píxel, {pixels} píxeles',
+  '{a} and {b} are as fast': '{a} y {b} son igual de rápidas',
+  '{a} is faster than {b}': '{a} es más rápida que {b}',
 };

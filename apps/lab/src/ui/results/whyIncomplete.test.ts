@@ -11,7 +11,10 @@ test('a run that was cancelled before its first figure is told apart', () => {
   const row = { ...testRow('auto', 'planes-lights', 0, 1), frame: null, problem: 'Cancelled.' };
   expect(isEmptyRun({ ...run, rows: [row] })).toBe(true);
   expect(isEmptyRun({ ...run, rows: [...run.rows, row] })).toBe(false);
-  expect(isEmptyRun({ ...run, rows: [{ ...row, problem: 'No WebGL 2.' }] })).toBe(false);
+  // a competitor that cannot draw here is no figure either
+  const none = { ...row, competitor: 'three-webgpu', problem: 'No WebGPU.' };
+  expect(whyIncomplete({ ...run, rows: [none, row] })).toMatch(/cancelled before anything was measured/);
+  expect(isEmptyRun({ ...run, rows: [{ ...row, problem: 'Not measured: the time is over.' }] })).toBe(false);
   expect(whyIncomplete({ ...run, rows: [row] })).toBe(
     'This run was cancelled before anything was measured, and is not kept.',
   );

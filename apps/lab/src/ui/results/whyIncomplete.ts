@@ -1,10 +1,12 @@
 import { t } from '@farol/editing';
-import type { LabRun } from '../../results/LabRun';
+import type { LabRow, LabRun } from '../../results/LabRun';
 
-/** Whether a run was cancelled before its first figure. */
+/** Whether a run was cancelled before its first figure; competitors that cannot draw here may have been noted. */
 export function isEmptyRun({ complete, rows }: Pick<LabRun, 'complete' | 'rows'>): boolean {
-  return !complete && rows.every(({ frame, problem }) => frame === null && problem?.startsWith('Cancelled'));
+  return !complete && rows.every(({ frame }) => frame === null) && !rows.some(isLate);
 }
+
+const isLate = ({ problem }: LabRow): boolean => problem?.startsWith('Not measured') ?? false;
 
 /** Reason, a sentence, why a run lacks figures of its plan; null for a complete run. */
 export function whyIncomplete(run: LabRun): string | null {
@@ -12,7 +14,7 @@ export function whyIncomplete(run: LabRun): string | null {
   if (complete) return null;
   if (isEmptyRun(run)) return t('This run was cancelled before anything was measured, and is not kept.');
   const { limit } = plan.effort;
-  const isOver = rows.some(({ problem }) => problem?.startsWith('Not measured')) || duration >= (limit ?? Infinity);
+  const isOver = rows.some(isLate) || duration >= (limit ?? Infinity);
   return isOver
     ? t(
         'The time for the run was over before every case was measured: give it more under “How thoroughly”, or measure less.',

@@ -23,6 +23,7 @@ import {
 } from 'three';
 import type { Scene } from '../../core/Scene';
 import type { PictureLook } from '../PictureLook';
+import { AutomaticExposureEffect } from './AutomaticExposureEffect';
 import { makeLookupTable } from './makeLookupTable';
 import { DepthEffect, WhiteBalanceEffect } from './ownEffects';
 import { whiteBalance } from './whiteBalance';
@@ -43,9 +44,10 @@ const GRADING = 4;
 const TABLE = 8;
 const VIGNETTE = 16;
 const TONES = 32;
+const EXPOSURE = 64;
 
 /**
- * Makes a finished picture of linear light: depth of field, bloom, white balance, tone mapping, contrast, saturation, a
+ * Makes a finished picture of linear light: depth of field, bloom, white balance, automatic exposure, tone mapping, contrast, saturation, a
  * table of colours, vignette; those that are on, in this order, by pmndrs' postprocessing. Its programs are made anew
  * when one is switched, not when a number changes.
  */
@@ -67,6 +69,7 @@ export class PictureChain {
   private readonly bloom: postprocessing.BloomEffect;
   private readonly balance = new WhiteBalanceEffect();
   private readonly tones = new postprocessing.ToneMappingEffect({ mode: postprocessing.ToneMappingMode.LINEAR });
+  private readonly exposure = new AutomaticExposureEffect();
   private readonly contrast = new postprocessing.BrightnessContrastEffect();
   private readonly saturation = new postprocessing.HueSaturationEffect();
   private lookup: postprocessing.LUT3DEffect | null = null;
@@ -151,8 +154,8 @@ export class PictureChain {
   }
 
   private get all(): postprocessing.Effect[] {
-    const { focus, bloom, balance, tones, contrast, saturation, vignette, depth, lookup } = this;
-    return [focus, bloom, balance, tones, contrast, saturation, vignette, depth, ...(lookup ? [lookup] : [])];
+    const { focus, bloom, balance, exposure, tones, contrast, saturation, vignette, depth, lookup } = this;
+    return [focus, bloom, balance, exposure, tones, contrast, saturation, vignette, depth, ...(lookup ? [lookup] : [])];
   }
 
   private setUp(scene: Scene, look: PictureLook, camera: Camera): void {
@@ -160,6 +163,7 @@ export class PictureChain {
     const { showsEffects } = this;
     const grading = showsEffects && settings.grading;
     let on = look.toneMapping === NoToneMapping ? 0 : TONES;
+    if (look.automatic) on |= EXPOSURE;
     if (showsEffects && settings.bloom) on |= BLOOM;
     if (showsEffects && look.depthOfField) on |= FOCUS;
     if (showsEffects && settings.vignette) on |= VIGNETTE;
@@ -168,6 +172,7 @@ export class PictureChain {
     this.tones.mode = modes[look.toneMapping] ?? postprocessing.ToneMappingMode.LINEAR;
     if (on !== this.on) this.make(on, camera);
     this.setCamera(camera);
+    if (look.automatic) this.exposure.follow(look.automatic, scene, camera);
     const { bloom, focus, vignette, lookup } = this;
     bloom.intensity = settings.bloomIntensity;
     bloom.luminanceMaterial.threshold = settings.bloomThreshold;
@@ -195,6 +200,7 @@ export class PictureChain {
     const light: postprocessing.Effect[] = [];
     if (on & BLOOM) light.push(this.bloom);
     if (on & GRADING) light.push(this.balance);
+    if (on & EXPOSURE) light.push(this.exposure);
     if (on & TONES) light.push(this.tones);
     if (on & GRADING) light.push(this.contrast, this.saturation);
     if (on & TABLE) light.push(this.lookup!);

@@ -1,6 +1,7 @@
 import type { ValuesOf } from '@farol/editing/fields';
 import { LateCode } from '../../base/LateCode';
 import { type skyFields, skiesWithSun, type SkyPreset } from '../pictureFields';
+import type { DaySky } from './dayLook';
 import type { Sky, SunPlace } from './makeSky';
 
 type SkySettings = Readonly<ValuesOf<typeof skyFields>>;
@@ -22,9 +23,12 @@ export class SkySource {
   /** @param came - called when late code has been loaded, so that the sky can be made */
   constructor(private readonly came: () => void) {}
 
-  /** Sky that the settings ask for; null for none, and until its late code is loaded. */
-  of(settings: SkySettings): Sky | null {
-    const key = keyOf(settings);
+  /**
+   * Sky of a day, else the one that the settings ask for; null for none, and until its late code is loaded. A sky of a day
+   * that has changed is painted anew.
+   */
+  of(settings: SkySettings, day: DaySky | null): Sky | null {
+    const key = day ? keyOfDay(day) : keyOf(settings);
     if (key === this.key) return this.made;
     if (key !== '' && late.code === null) {
       this.ready = late.load().then(this.came);
@@ -34,7 +38,7 @@ export class SkySource {
     }
     this.dispose();
     this.key = key;
-    if (key !== '') this.made = make(settings, late.code!);
+    if (key !== '') this.made = day ? late.code!.makeDaySky(day) : make(settings, late.code!);
     return this.made;
   }
 
@@ -44,6 +48,15 @@ export class SkySource {
     this.key = '';
   }
 }
+
+/** A quarter of a degree, in which the sun's motion is not seen in a sky. */
+const quarters = (angle: number): number => Math.round((angle * 720) / Math.PI);
+
+const keyOfDay = ({ sun, moon, lit }: DaySky): string =>
+  [
+    ...['day', quarters(sun.azimuth), quarters(sun.elevation)],
+    ...[quarters(moon.azimuth), quarters(moon.elevation), lit.toFixed(2)],
+  ].join(' ');
 
 function keyOf(settings: SkySettings): string {
   const { background, sky, skyTop, skyHorizon, skyGround } = settings;

@@ -9,6 +9,7 @@ import {
   RGBAFormat,
 } from 'three';
 import type { SkyPreset } from '../pictureFields';
+import { type DaySky, dayLook } from './dayLook';
 import { paintSky } from './paintSky';
 import { type SkyLook, skyLooks } from './skyLooks';
 
@@ -18,6 +19,8 @@ export interface Sky {
   readonly texture: DataTexture;
   /** Mean radiance at the horizon. */
   readonly horizon: Vector3Tuple;
+  /** Irradiance of level ground: the integral of radiance and cosine; only of skies of a day. */
+  readonly irradiance?: number;
 }
 
 /** Three colours from below to above. */
@@ -27,12 +30,15 @@ export interface SkyGradient {
   readonly ground: Vector3Tuple;
 }
 
-/** Columns of the picture of a preset, whose discs and stars are small, and of a gradient. */
+/** Columns of the picture of a preset or a night, whose discs and stars are small, and of a gradient. */
 const PRESET_WIDTH = 1024;
 const GRADIENT_WIDTH = 256;
+/** Columns of a sky of a day without stars, which is painted while the sun moves: about 10 ms. */
+const DAY_WIDTH = 512;
 
 /** Pixels of a sky, in the form that three uploads. */
 interface Painted {
+  readonly pixels: Float32Array;
   readonly halves: Uint16Array<ArrayBuffer>;
   readonly width: number;
   readonly horizon: Vector3Tuple;
@@ -50,7 +56,7 @@ function paint(look: SkyLook, width: number): Painted {
     halves[to + 2] = halfOf(bits[from + 2]);
     halves[to + 3] = one;
   }
-  return { halves, width, horizon: horizonOf(pixels, width, height) };
+  return { pixels, halves, width, horizon: horizonOf(pixels, width, height) };
 }
 
 function skyOf({ halves, width, horizon }: Painted): Sky {
@@ -100,6 +106,29 @@ export function makePresetSky(preset: SkyPreset, sun: SunPlace | null = null): S
   let one = painted.get(preset);
   if (!one) painted.set(preset, (one = paint(skyLooks[preset], PRESET_WIDTH)));
   return skyOf(one);
+}
+
+/** Light that falls on level ground from the upper half of a sky: luminance times cosine, over the half sphere. */
+function irradianceOf(pixels: Float32Array, width: number): number {
+  const height = width / 2;
+  const step = Math.PI / height;
+  let sum = 0;
+  for (let row = height / 2; row < height; row++) {
+    const elevation = (row + 0.5) * step - Math.PI / 2;
+    let ring = 0;
+    for (let at = row * width * 3; at < (row + 1) * width * 3; at += 3)
+      ring += 0.2126 * pixels[at] + 0.7152 * pixels[at + 1] + 0.0722 * pixels[at + 2];
+    sum += ring * Math.sin(elevation) * Math.cos(elevation);
+  }
+  return sum * step * step;
+}
+
+/** Makes the sky of a day or a night, without clouds. */
+export function makeDaySky(day: DaySky): Sky {
+  const look = dayLook(day);
+  const width = look.stars > 0 ? PRESET_WIDTH : DAY_WIDTH;
+  const one = paint(look, width);
+  return { ...skyOf(one), irradiance: irradianceOf(one.pixels, width) };
 }
 
 /** Makes a sky of three colours. */

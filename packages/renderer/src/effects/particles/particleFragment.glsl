@@ -1,6 +1,7 @@
 // Colours one particle: picture or soft dot, light that has reached it, fading out before surfaces and the camera.
 // Lorach 2007, Soft Particles (NVIDIA white paper); three.js r187's chunks for tone mapping, colour space and clipping
 //# stage fragment
+#include "media"
 #include "storedDistance"
 #include "unproject"
 #include "viewport"
@@ -62,6 +63,11 @@ farol_color.a *= clamp(farol_room * farol_softness.x, 0.0, 1.0);
 float farol_brightest = max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
 gl_FragColor = vec4(min(1.0, 4.0 * farol_color.a * farol_brightest));
 return;
+#endif
+#ifdef FAROL_ADDITIVE
+farol_color.rgb *= farol_mediaAt(farol_particleDistance).a;
+#else
+farol_color.rgb = farol_throughMedia(farol_color.rgb, farol_particleDistance);
 #endif
 gl_FragColor = farol_color;
 #include <tonemapping_fragment>

@@ -113,7 +113,12 @@ export function particleMaterial(
     name: 'Farol particles',
     vertex: ['particleVertex'],
     fragment: ['particleFragment'],
-    uniforms: { ...uniforms, farol_offset: frame.uniforms.farol_offset },
+    uniforms: {
+      ...uniforms,
+      farol_offset: frame.uniforms.farol_offset,
+      farol_media: frame.uniforms.farol_media,
+      farol_mediaSpace: frame.uniforms.farol_mediaSpace,
+    },
     defines,
     transparent: true,
     depthTest: true,

@@ -8,6 +8,7 @@ import { BackgroundDraw } from '../output/BackgroundDraw';
 import type { Pass, Resource } from '../../frame/Pass';
 import type { LightLoop } from '../../materials/LightLoop';
 
+/** Options of the constructor of ForwardPass. */
 export interface ForwardPassOptions {
   readonly name: string;
   readonly list: 'opaque' | 'transmissive' | 'transparent';
@@ -37,7 +38,7 @@ export class ForwardPass implements Pass {
     this.name = options.name;
     this.list = options.list;
     this.reads = options.reads ?? [];
-    this.writes = options.list === 'transparent' ? ['target', 'transparent'] : ['target'];
+    this.writes = options.list === 'transmissive' ? ['target'] : ['target', options.list];
     const { loop, loopOutside = loop } = options;
     this.loop = loop;
     this.loopOutside = loopOutside;

@@ -1,5 +1,6 @@
 // Writes linear radiance and depth to the host's target as three would: tone mapped, encoded, fogged, then dithered.
 // three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment, dithering_fragment
+#include "media"
 #include "viewport"
 uniform vec4 farol_background; // colour of empty pixels; a below 0: leave them as they are
 #ifdef USE_FOG
@@ -14,7 +15,8 @@ uniform float fogFar;
 
 vec4 farol_output(const in vec3 radiance, const in float fogDepth, const in bool toneMapped, const in bool fogged,
   const in bool dithered) {
-  vec4 color = vec4(min(radiance, 1e9), 1.0); // infinite radiance would become NaN in later arithmetic
+  vec3 arriving = fogged ? farol_throughMedia(radiance, fogDepth) : radiance;
+  vec4 color = vec4(min(arriving, 1e9), 1.0); // infinite radiance would become NaN in later arithmetic
 #ifdef TONE_MAPPING
   if (toneMapped) color.rgb = toneMapping(color.rgb);
 #endif

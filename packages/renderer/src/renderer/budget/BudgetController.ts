@@ -1,5 +1,6 @@
 import type { BudgetSource, FrameBudget } from '../FrameBudget';
 import { REASONS } from './reasons';
+import { Restlessness } from './Restlessness';
 import { medianOfLast, RECENT, SteadyLoad } from './SteadyLoad';
 
 /** Change of the scale from one frame to the next: too little to be seen. */
@@ -54,6 +55,7 @@ export class BudgetController {
   private readonly sums = new Float64Array(5);
   /** Cost of the pixels at scale 1 (ms). */
   private readonly load = new SteadyLoad();
+  private readonly restlessness = new Restlessness();
   /** Intervals in time since the scale changed, and since a larger one was tried. */
   private inTime = 0;
   private sinceTrial = Infinity;
@@ -128,15 +130,28 @@ export class BudgetController {
     const { load } = this;
     const off = this.share(this.step) - AIM;
     const band = load.isSteady ? BAND + load.doubt : SEARCH_BAND + load.doubt / 2;
+    this.restlessness.count(off < -band);
     if (Math.abs(off) > band) {
       const goal = this.bestStep();
       // a steady load is corrected little by little
       const most = load.isSteady && this.goal === this.step ? 1 : Infinity;
-      this.goal = Math.min(Math.max(goal, this.step - most), this.step + most);
+      this.turn(Math.min(Math.max(goal, this.step - most), this.step + most));
     } else if (Math.abs(this.share(this.goal) - AIM) > band) this.goal = this.step;
     if (this.goal !== this.step) this.reason = off > 0 ? REASONS.slow : REASONS.fast;
     else if (off > band) this.reason = REASONS.least;
     else this.reason = off < -band ? REASONS.largest : REASONS.held;
+  }
+
+  /** Sets the goal; a larger scale may have to wait. */
+  private turn(goal: number): void {
+    const { restlessness, step } = this;
+    if (goal > step) restlessness.reduced(Math.max(0, goal - this.goal));
+    else if (goal < step) {
+      const begins = this.goal >= step;
+      if (begins && !restlessness.mayEnlarge) goal = step;
+      if (goal < Math.min(this.goal, step)) restlessness.enlarged(Math.min(this.goal, step) - goal);
+    }
+    this.goal = goal;
   }
 
   /** Step whose predicted time is nearest to the one aimed at. */
@@ -188,14 +203,17 @@ export class BudgetController {
     const tells = share + doubt < EARLY;
     if (this.step === 0) this.reason = tells ? REASONS.largest : REASONS.held;
     else if (!tells) this.reason = REASONS.held;
+    const hasRoom = this.step > 0 && this.share(this.step - 1) <= (tells ? 1 : MOST) - 2 * doubt;
+    this.restlessness.count(hasRoom);
     const wait = Math.max(this.patience, tells ? 0 : this.pace);
-    if (this.step === 0 || this.inTime < wait || this.share(this.step - 1) > (tells ? 1 : MOST) - 2 * doubt) return;
-    this.goal = Math.max(0, this.step - (share + doubt < 1 - QUICK ? 2 : 1));
+    if (!hasRoom || this.inTime < wait || !this.restlessness.mayEnlarge) return;
+    this.turn(Math.max(0, this.step - (share + doubt < 1 - QUICK ? 2 : 1)));
     this.inTime = this.sinceTrial = 0;
     this.reason = tells ? REASONS.fast : REASONS.trial;
   }
 
   private goLower(steps: number): void {
+    this.restlessness.count(false);
     // a trial is to blame if its step back is enough
     this.blamed = this.sinceTrial < BLAME && !this.blamed;
     if (this.blamed) {
@@ -205,7 +223,7 @@ export class BudgetController {
     this.pace = PACE;
     this.inTime = 0;
     this.sinceTrial = Infinity;
-    this.goal = Math.min(this.steps, this.step + (this.blamed ? 1 : steps));
+    this.turn(Math.min(this.steps, this.step + (this.blamed ? 1 : steps)));
     this.reason = this.goal === this.step ? REASONS.least : REASONS.slow;
   }
 }

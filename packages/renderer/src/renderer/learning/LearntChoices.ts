@@ -54,6 +54,14 @@ export class LearntChoices {
     }
   }
 
+  /** Stored verdicts of all GPUs, and those of this one. */
+  all(): [gpu: string, key: number, verdict: Verdict][] {
+    const gpus = { ...this.read().gpus, ...(this.size > 0 && { [this.gpu]: [...this.verdicts] }) };
+    return Object.entries(gpus).flatMap(([gpu, list]) =>
+      list.map(([key, verdict]): [string, number, Verdict] => [gpu, key, verdict as Verdict]),
+    );
+  }
+
   /** Forgets the verdicts of all GPUs. */
   clear(): void {
     this.verdicts.clear();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type SceneFigures, TechniqueChooser } from '../TechniqueChooser';
 import { LearntChoices } from './LearntChoices';
-import { TechniqueLearner } from './TechniqueLearner';
+import { readVerdict, TechniqueLearner } from './TechniqueLearner';
 
 const figures: SceneFigures = {
   bounded: 40,
@@ -195,4 +195,20 @@ describe('LearntChoices', () => {
     learnt.clear();
     expect(learnt.size).toBe(0);
   });
+});
+
+it('tells a stored verdict in words: the pair, the faster one, and where it holds', () => {
+  const storage = storageOf();
+  const choices = new LearntChoices('GPU', storage);
+  const learner = new TechniqueLearner(choices);
+  const key = learner.keyOf('tiled-deferred', 'clustered-forward', figures, PIXELS);
+  for (let i = 0; i < 15; i++) learner.add(key, 'clustered-forward', 2, 'tiled-deferred', 1);
+  const told = {
+    ...{ gpu: 'GPU', techniques: ['clustered-forward', 'tiled-deferred'], faster: 'tiled-deferred' },
+    ...{ lights: 32, coverage: 2, pixels: 2 ** 20 },
+  };
+  expect(choices.all().map((each) => readVerdict(...each))).toEqual([told]);
+  // those of other GPUs are stored beside them
+  expect(new LearntChoices('other', storage).all().map((each) => readVerdict(...each))).toEqual([told]);
+  expect(readVerdict('GPU', key, 2).faster).toBeNull();
 });

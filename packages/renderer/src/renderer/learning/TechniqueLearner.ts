@@ -1,5 +1,5 @@
 import type { ChosenTechnique, SceneFigures } from '../TechniqueChooser';
-import { type LearntChoices, TIE } from './LearntChoices';
+import { type LearntChoices, TIE, type Verdict } from './LearntChoices';
 
 /** Draws from one trial to the next: 1 of 64 is 1.6%. */
 const INTERVAL = 64;
@@ -19,6 +19,31 @@ const order: readonly ChosenTechnique[] = [
   'clustered-deferred',
   'tiled-deferred',
 ];
+
+/** A verdict of 'auto' on a GPU: which of two techniques is faster there, from so many lights and pixels up to twice as many. */
+export interface LearntChoice {
+  /** Device by WEBGL_debug_renderer_info. */
+  readonly gpu: string;
+  readonly techniques: readonly [ChosenTechnique, ChosenTechnique];
+  /** Null where neither is faster by 8%. */
+  readonly faster: ChosenTechnique | null;
+  readonly lights: number;
+  /** Mean number of lights over a pixel. */
+  readonly coverage: number;
+  /** Pixels of the picture. */
+  readonly pixels: number;
+}
+
+/** A stored verdict in words, see {@link TechniqueLearner.keyOf}. */
+export function readVerdict(gpu: string, key: number, verdict: Verdict): LearntChoice {
+  const digit = (place: number): number => Math.floor(key / 32 ** place) % 32;
+  const pair = Math.floor(key / 32 ** 3);
+  const techniques = [order[pair >> 2], order[pair & 3]] as const;
+  return {
+    ...{ gpu, techniques, faster: verdict === TIE ? null : techniques[verdict] },
+    ...{ lights: 2 ** digit(2), coverage: 2 ** digit(1), pixels: 2 ** digit(0) },
+  };
+}
 
 /** Times of trials without a verdict so far: cost of the pair's second technique over that of its first. */
 interface Trials {

@@ -1,2 +1,3 @@
-export { clearLearnt } from './learners';
+export { clearLearnt, learntChoices } from './learners';
 export { LearningFrames } from './LearningFrames';
+export type { LearntChoice } from './TechniqueLearner';

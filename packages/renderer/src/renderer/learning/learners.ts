@@ -1,5 +1,5 @@
 import { LearntChoices, type Storage } from './LearntChoices';
-import { TechniqueLearner } from './TechniqueLearner';
+import { type LearntChoice, readVerdict, TechniqueLearner } from './TechniqueLearner';
 
 /** Learners by GPU, shared by all renderers of a page. */
 const learners = new Map<string, TechniqueLearner>();
@@ -18,6 +18,13 @@ export function learnerOf(gl: WebGL2RenderingContext): TechniqueLearner {
 export function clearLearnt(): void {
   for (const learner of learners.values()) learner.clear();
   new LearntChoices('', storageOfPage()).clear();
+}
+
+/** All that was learnt, on all GPUs of this browser. */
+export function learntChoices(): LearntChoice[] {
+  const [learner] = learners.values();
+  const choices = learner?.learnt ?? new LearntChoices('', storageOfPage());
+  return choices.all().map((verdict) => readVerdict(...verdict));
 }
 
 /** Storage of the page; null where it is forbidden. */

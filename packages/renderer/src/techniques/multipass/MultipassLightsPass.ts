@@ -153,6 +153,7 @@ export class MultipassLightsPass implements Pass {
 
   /** True for a material that three would tone map, fog and dither as the output pass does all pixels. */
   private sums(material: Material, frame: Frame): boolean {
+    if (frame.hasMedia && (material as Material & { fog?: boolean }).fog === false) return false;
     if (this.fogged) return true;
     if (material.dithering) return false;
     // the output pass fogs by depth, which is too coarse here

@@ -19,11 +19,7 @@ if (farol_view == 2) {
   if (farol_background.a < 0.0) discard;
   gl_FragColor = farol_background;
 } else {
-#ifdef USE_FOG
   float fogDepth = -farol_unproject((vec2(pixel) + 0.5) / farol_size, depth).z;
-#else
-  float fogDepth = 0.0;
-#endif
   // alpha below 1: only some samples of the pixel were drawn to
   gl_FragColor = farol_output(sum.rgb / sum.a, fogDepth, true, true, false) * sum.a;
   if (farol_background.a >= 0.0) gl_FragColor += farol_background * (1.0 - min(sum.a, 1.0));

@@ -27,6 +27,7 @@ function ditheredInTarget(text: string): string {
 const BASE = {
   key: 'base',
   role: 'forward',
+  isSum: true,
   loop: 'lightLoopOne',
   rewrite: ditheredInTarget,
 } as const;

@@ -5,6 +5,7 @@ import './tools.css';
 /** Settings box of each tool, by its id. A new tool is a line here. */
 const boxes: Readonly<Record<string, ComponentType<{ tool: never }>>> = {
   duplicate: lazy(async () => ({ default: (await import('./DuplicateBox')).DuplicateBox })),
+  'light-meter': lazy(async () => ({ default: (await import('./MeterBox')).MeterBox })),
   measure: lazy(async () => ({ default: (await import('./MeasureBox')).MeasureBox })),
 };
 

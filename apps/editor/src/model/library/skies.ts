@@ -1,0 +1,44 @@
+import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
+import type { libraryNames } from './names';
+
+type Values = Readonly<Record<string, FieldValue>>;
+
+/** A sky with the sun or moon that belongs to it. */
+export interface LibrarySky {
+  /** Fields of the scene's settings. */
+  readonly settings: Values;
+  /** Fields of the scene's directional light, and the direction that it comes from; null: it is switched off. */
+  readonly sun: { readonly from: Vector3Tuple; readonly values: Values } | null;
+}
+
+const soft = { castShadow: true, shadowMapSize: 2048 };
+
+/** Directions of the suns and moons are those of the painted skies. */
+const direction = (elevation: number, azimuth = -115): Vector3Tuple => {
+  const [height, side] = [elevation, azimuth].map((degrees) => (degrees * Math.PI) / 180);
+  return [Math.cos(height) * Math.cos(side), Math.sin(height), Math.cos(height) * Math.sin(side)];
+};
+
+/** Sky settings and light of each sky. */
+export const skies: Readonly<Record<keyof typeof libraryNames.sky, LibrarySky>> = {
+  'clear-day': {
+    settings: { background: 'sky', sky: 'clear-day', skyLight: true, environmentIntensity: 0.8 },
+    sun: { from: direction(38), values: { ...soft, diffuse: [1, 0.96, 0.88], intensity: 3, shadowRadius: 2 } },
+  },
+  overcast: {
+    settings: { background: 'sky', sky: 'overcast', skyLight: true, environmentIntensity: 1 },
+    sun: null,
+  },
+  sunset: {
+    settings: { background: 'sky', sky: 'sunset', skyLight: true, environmentIntensity: 0.8 },
+    sun: { from: direction(4), values: { ...soft, diffuse: [1, 0.5, 0.2], intensity: 2, shadowRadius: 3 } },
+  },
+  'moonlit-night': {
+    settings: { background: 'sky', sky: 'night', skyLight: true, environmentIntensity: 1 },
+    sun: { from: direction(30), values: { ...soft, diffuse: [0.6, 0.72, 1], intensity: 0.25, shadowRadius: 4 } },
+  },
+  studio: {
+    settings: { background: 'sky', sky: 'studio', skyLight: true, environmentIntensity: 1 },
+    sun: null,
+  },
+};

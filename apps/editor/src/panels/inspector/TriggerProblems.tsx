@@ -1,0 +1,24 @@
+import { t } from '@farol/editing';
+import type { Component, EventTrigger } from '@farol/engine';
+import type { ReactNode } from 'react';
+import { triggerProblems } from '../../model/triggerProblems';
+import { useEditor, useSignal } from '../../ui/EditorContext';
+
+/** Warns of triggers that can never fire, each with a button that mends it. */
+export function TriggerProblems({ components }: { components: readonly Component[] }): ReactNode {
+  const editor = useEditor();
+  const { document, commands } = editor;
+  useSignal(document.structure);
+  useSignal(document.commands.changed);
+  if (components.length !== 1) return null;
+  return triggerProblems(components[0] as EventTrigger).map(({ text, mend }) => (
+    <p key={text} className="technique-limit" role="note" aria-label={t('Problem')}>
+      {text}{' '}
+      {mend && (
+        <button type="button" className="button" onClick={() => editor.attempt(() => commands.run(mend.make()))}>
+          {mend.label}
+        </button>
+      )}
+    </p>
+  ));
+}

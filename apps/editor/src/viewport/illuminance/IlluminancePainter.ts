@@ -1,0 +1,30 @@
+import { t } from '@farol/editing';
+import type { Camera, Scene } from 'three';
+import { drawsFloats } from '../drawsFloats';
+import type { Painter } from '../Painter';
+import type { Viewport } from '../Viewport';
+import { IlluminancePicture } from './IlluminancePicture';
+
+/** Shows how many lux fall on each surface, by false colours. */
+export class IlluminancePainter implements Painter {
+  readonly drawsHelpers = true;
+  readonly isGrid = false;
+  readonly isIlluminance = true;
+  private readonly picture: IlluminancePicture;
+
+  /** @throws Error naming what the device lacks */
+  constructor(private readonly viewport: Viewport) {
+    if (!drawsFloats(viewport.webgl))
+      throw new Error(t('Light cannot be measured: this device draws to no float colour buffers.'));
+    this.picture = new IlluminancePicture(viewport.webgl, () => viewport.invalidate());
+  }
+
+  render(_scene: Scene, camera: Camera): void {
+    this.picture.draw(this.viewport.document.scene, camera);
+    this.picture.show();
+  }
+
+  dispose(): void {
+    this.picture.dispose();
+  }
+}

@@ -1,0 +1,68 @@
+import { expect, test } from '../support/benchTest';
+
+test('fog is alike over a G-buffer and forward, and gone with its effect', async ({ benchPage: page }) => {
+  const { agreement, shown, gone } = await page.evaluate(async () => {
+    const { FogScene, compareImages, farol } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const fogScene = new FogScene(64, 40);
+    const { bench, scene, camera } = fogScene;
+    const bare = bench.byTechnique('deferred', scene, camera);
+    const image = fogScene.byFarol('deferred', 2);
+    const agreement = compareImages(image, fogScene.byFarol('forward-single-pass', 2)).psnr;
+    bench.farol.effects = [];
+    const without = bench.byTechnique('deferred', scene, camera);
+    return { agreement, shown: compareImages(bare, image).psnr, gone: compareImages(bare, without).psnr };
+  });
+  // a G-buffer rounds what it keeps
+  expect(agreement).toBeGreaterThan(50);
+  expect(shown).toBeLessThan(25);
+  expect(gone).toBeGreaterThan(60);
+});
+
+test('fog is alike under every technique @verify', async ({ benchPage: page }) => {
+  const rows = await page.evaluate(async () => {
+    const { FogScene, compareImages, drawn, farol } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const fogScene = new FogScene(128, 72);
+    const bare = fogScene.bench.stock(fogScene.scene, fogScene.camera);
+    const first = fogScene.byFarol('deferred', 3);
+    return drawn.map((technique) => {
+      const image = fogScene.byFarol(technique, 3);
+      return { technique, psnr: compareImages(first, image).psnr, shown: compareImages(bare, image).psnr };
+    });
+  });
+  expect(rows).toHaveLength(10);
+  for (const { technique, psnr, shown } of rows) {
+    // inferred lighting lights at half the resolution
+    expect.soft(psnr, technique).toBeGreaterThan(technique === 'inferred' ? 35 : 60);
+    expect.soft(shown, technique).toBeLessThan(25);
+  }
+});
+
+for (const technique of ['deferred', 'clustered-forward'] as const) {
+  test(`fog by ${technique} is what a march of 512 steps gives, at rest and in motion @verify`, async ({
+    benchPage: page,
+  }) => {
+    test.slow();
+    const { still, moving } = await page.evaluate(async (name) => {
+      const { FogScene, compareImages, farol } = window.testPage;
+      await farol.FarolRenderer.preload();
+      const fogScene = new FogScene();
+      const { camera } = fogScene;
+      const march = fogScene.byMarch();
+      const rest = compareImages(march, fogScene.byFarol(name, 48)).psnr;
+      const { x, z } = camera.position;
+      const turn = camera.rotation.y;
+      const picture = fogScene.byFarol(name, 16, (frame) => {
+        camera.position.x = x + (15 - frame) * 0.02;
+        camera.position.z = z + (15 - frame) * 0.03;
+        camera.rotation.y = turn - (15 - frame) * 0.004;
+      });
+      return { still: rest, moving: compareImages(march, picture).psnr };
+    }, technique);
+    expect.soft(still).toBeGreaterThanOrEqual(38);
+    expect.soft(moving).toBeGreaterThanOrEqual(32);
+    test.info().annotations.push({ type: 'dB', description: `${still.toFixed(1)}, moving ${moving.toFixed(1)}` });
+    console.log(technique, still, moving);
+  });
+}

@@ -1,0 +1,67 @@
+import { type Camera, Matrix4, Vector4 } from 'three';
+import { LightWatch } from '../antialiasing/LightWatch';
+import { FroxelTexture } from './FroxelTexture';
+
+/** Most frames that are averaged while nothing changes. */
+const MOST = 64;
+/** Frames whose mean the history is after lights have changed. */
+const CHANGED = 3;
+
+/** Froxels of the frames before, for one camera. */
+export class FogHistory {
+  readonly lights = new LightWatch();
+  /** From world space to view space, in the last frame. */
+  readonly view = new Matrix4();
+  /** x and y scale of the last frame's projection, and its x and y shift. */
+  readonly ray = new Vector4();
+  /** Frames drawn; chooses the place in the froxels. */
+  frame = 0;
+  /** Frames in the mean; 0 for none. */
+  count = 0;
+  /** Sum over the settings of the last frame, by which changes are found. */
+  looks = 0;
+  private readonly textures = [new FroxelTexture(), new FroxelTexture()];
+
+  get bytes(): number {
+    return this.textures[0].bytes + this.textures[1].bytes;
+  }
+
+  /** Froxels of the last frame. */
+  get before(): FroxelTexture {
+    return this.textures[1 - (this.frame & 1)];
+  }
+
+  /** Froxels of this frame. */
+  get now(): FroxelTexture {
+    return this.textures[this.frame & 1];
+  }
+
+  /**
+   * Counts a frame, by what has changed since the last.
+   * @param most - frames in the mean while things move
+   * @param lit - whether lights have changed
+   * @param isStill - whether neither the camera nor shadows nor the noise have
+   */
+  note(most: number, lit: boolean, isStill: boolean): void {
+    const limit = lit ? Math.min(CHANGED, most) : isStill ? MOST : most;
+    this.count = Math.min(this.count + 1, limit);
+  }
+
+  /** Ends a frame: it is the last one from now on. */
+  advance(camera: Camera): void {
+    const { elements: e } = camera.projectionMatrix;
+    this.view.copy(camera.matrixWorldInverse);
+    this.ray.set(e[0], e[5], e[8], e[9]);
+    this.frame++;
+  }
+
+  /** Forgets the frames before, and begins with the first place in the froxels. */
+  restart(): void {
+    this.count = this.frame = 0;
+  }
+
+  dispose(): void {
+    for (const texture of this.textures) texture.dispose();
+    this.restart();
+  }
+}

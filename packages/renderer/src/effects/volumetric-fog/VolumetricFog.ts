@@ -1,0 +1,280 @@
+import { type Camera, Color, Vector2, Vector3, Vector4 } from 'three';
+import { drawBuffersOf, lacksFloatTargets } from '../../gpu/checkDevice';
+import type { FullscreenPass } from '../../gpu/FullscreenPass';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
+import { RecentlyUsed } from '../../frame/RecentlyUsed';
+import type { RenderItem } from '../../frame/RenderItem';
+import type { TwinKind } from '../../materials/TwinKind';
+import type { MicroShaderRegistry } from '../../microshaders';
+import { parseMicroShader } from '../../microshaders/parseMicroShader';
+import { isDepthReversed } from '../../three/state';
+import { fogBackgroundPass, fogIntegratePass, fogLightsPass, fogScatterPass } from './fogPasses';
+import { FogHistory } from './FogHistory';
+import { FogMedium } from './FogMedium';
+import { foggedTwin, isFogged } from './foggedTwin';
+import { EXPONENT, fogQualities, type Froxels, sliceScale } from './froxels';
+import { FroxelTexture } from './FroxelTexture';
+import { halton } from '../antialiasing/halton';
+import mediaOn from './mediaOn.glsl?raw';
+
+/** Registries whose shaders have code for fog. The code stays, so that nothing is compiled twice. */
+const adapted = new WeakSet<MicroShaderRegistry>();
+
+/** Whether two scales of projections are the same but for rounding. */
+const near = (a: number, b: number): boolean => Math.abs(a - b) < 1e-6;
+
+/**
+ * Fog that the scene's lights light, with their shadows, cookies and profiles: halos, beams and shafts. Over opaque and transparent
+ * things and the background, by every technique. Local fog: {@link FogVolume}.
+ *
+ * The picture is cut into froxels, cells of pixels and depth; in each, light is found once a frame, joined with that of the frames
+ * before, and added up from the eye on. Fog ends at `distance`. Needs a PerspectiveCamera; with others it is left out, and a
+ * warning says so. Materials with `fog: false`, node materials and shaders with outputs of their own are drawn without it.
+ *
+ * @example
+ * const fog = new VolumetricFog();
+ * fog.density = 0.05;
+ * farol.effects = [fog];
+ * @see Wronski 2014, Volumetric Fog (SIGGRAPH, Advances in Real-Time Rendering); Hillaire 2015, Physically Based and Unified
+ *   Volumetric Rendering in Frostbite
+ */
+export class VolumetricFog implements FarolEffect {
+  readonly name = 'volumetric fog';
+  readonly after = ['opaque'] as const;
+  readonly lacks = lacksFloatTargets;
+  /** Extinction coefficient (1/m): a share of 1 - 1/e of the light is lost on a way of 1 / density. Default 0.03. */
+  density = 0.03;
+  /** Share of light that is scattered, not absorbed, by colour (linear). Default white. */
+  readonly albedo = new Color(1, 1, 1);
+  /** Mean cosine of scattering, above -1 (back) and below 1 (on): lights have halos above 0. Default 0.3. */
+  anisotropy = 0.3;
+  /** Height (m, world space) up to which the fog has its density. Default 0. */
+  height = 0;
+  /** Rise (m) above `height` over which the density falls to 1/e; 0: it does not fall. Default 0. */
+  falloff = 0;
+  /** Distance along the view at which fog ends (m), above 0. Default 100. */
+  distance = 100;
+  /** How much clouds of noise vary the density, 0 to 1. Default 0. */
+  noise = 0;
+  /** Size of the clouds (m), above 0. Default 4. */
+  noiseSize = 4;
+  /** Velocity of the clouds (m/s, world space). Default 0.5 m/s along x. */
+  readonly wind = new Vector3(0.5, 0, 0);
+  /** Time (s) by which the clouds drift; null: the page's. Default null. */
+  time: number | null = null;
+  /** Froxels across, up and away, which is a multiple of 8. Default `fogQualities.medium`: 160 × 90 × 64. */
+  froxels: Froxels = fogQualities.medium;
+  /** Frames in the mean while things move, 1 for none but the present one. Default 12. */
+  frames = 12;
+  private isOn = false;
+  private isMade = false;
+  private hasWarned = false;
+  private layers = 0;
+  private readonly histories = new Map<Camera, FogHistory>();
+  private readonly used = new RecentlyUsed<Camera>((camera) => this.forget(camera));
+  private readonly integrated = new FroxelTexture();
+  private readonly medium = new FogMedium();
+  private readonly twins = new Map<TwinKind, TwinKind>();
+  private readonly grid = {
+    farol_fogGrid: { value: new Int32Array(4) },
+    farol_fogSlices: { value: new Vector2() },
+    farol_fogRay: { value: new Vector4() },
+    farol_fogBlocks: { value: new Int32Array(2) },
+  };
+  private readonly lights = fogLightsPass(this.grid);
+  private readonly background = fogBackgroundPass();
+  private scatter: ReturnType<typeof fogScatterPass> | null = null;
+  private integrate: ReturnType<typeof fogIntegratePass> | null = null;
+  private frame: Frame | null = null;
+  /** The frame's camera, before an effect such as TAA moves it. */
+  private camera!: Camera;
+  private readonly viewport = new Vector4();
+
+  get bytes(): number {
+    let bytes = this.integrated.bytes + this.lights.bytes;
+    for (const history of this.histories.values()) bytes += history.bytes;
+    return bytes;
+  }
+
+  begin(frame: Frame): void {
+    const { microshaders, uniforms } = frame;
+    this.frame = frame;
+    this.camera = frame.camera;
+    uniforms.farol_mediaSpace.value[7] = 0;
+    this.isMade = false;
+    this.isOn = frame.camera.projectionMatrix.elements[11] !== 0;
+    if (!this.isOn) return this.warn();
+    frame.hasMedia = true;
+    if (adapted.has(microshaders)) return;
+    adapted.add(microshaders);
+    microshaders.swap('media', parseMicroShader('media', mediaOn));
+  }
+
+  compute(frame: Frame): void {
+    if (!this.isOn) return;
+    const { webgl, uniforms } = frame;
+    const bound = webgl.getRenderTarget();
+    const isTransmission = bound !== frame.target;
+    const isFirst = !this.isMade;
+    if (isTransmission) webgl.getCurrentViewport(this.viewport);
+    else this.viewport.copy(frame.viewport);
+    if (isFirst) {
+      this.make(frame);
+      if (isTransmission) webgl.setRenderTarget(bound);
+      else frame.bindTarget();
+    }
+    const { x, y, z, w } = this.viewport;
+    const space = uniforms.farol_mediaSpace.value;
+    space[0] = x;
+    space[1] = y;
+    space[2] = 1 / z;
+    space[3] = 1 / w;
+    if (isFirst || !isTransmission) return;
+    // everything opaque is in three's transmission target by now
+    this.cover(frame);
+    frame.resolveTransmission();
+  }
+
+  adapt(kind: TwinKind, item: RenderItem): TwinKind {
+    if (!this.isOn || !isFogged(kind, item.material)) return kind;
+    let twin = this.twins.get(kind);
+    if (twin === undefined) this.twins.set(kind, (twin = foggedTwin(kind)));
+    return twin;
+  }
+
+  render(frame: Frame): void {
+    if (this.isOn && frame.target?.depthBuffer !== false) this.cover(frame);
+  }
+
+  end(frame: Frame): void {
+    frame.uniforms.farol_mediaSpace.value[7] = 0;
+  }
+
+  reset(): void {
+    for (const history of this.histories.values()) history.restart();
+  }
+
+  dispose(): void {
+    for (const history of this.histories.values()) history.dispose();
+    this.histories.clear();
+    this.used.clear();
+    this.integrated.dispose();
+    this.lights.dispose();
+    this.background.dispose();
+    this.scatter?.dispose();
+    this.integrate?.dispose();
+    this.scatter = this.integrate = null;
+    if (this.frame === null) return;
+    this.frame.uniforms.farol_mediaSpace.value[7] = 0;
+    this.frame.uniforms.farol_media.value = null;
+    this.frame = null;
+  }
+
+  /** Fogs what is farthest away in the bound target: the background, whatever drew it. */
+  private cover(frame: Frame): void {
+    const { uniforms } = this.background;
+    uniforms.farol_farthest.value = isDepthReversed(frame.webgl) ? 0 : 1;
+    this.background.draw(frame);
+  }
+
+  /** Draws the frame's froxels; the target that is bound stays so. */
+  private make(frame: Frame): void {
+    this.isMade = true;
+    const { grid, integrated, medium } = this;
+    const { camera, uniforms } = frame;
+    const layers = (this.layers ||= drawBuffersOf(frame.gl) >= 8 ? 8 : 4);
+    const size = this.froxels;
+    const history = this.historyOf(this.camera);
+    medium.read(this, frame);
+    this.note(frame, history);
+    grid.farol_fogGrid.value.set(size);
+    grid.farol_fogSlices.value.set(sliceScale(this.distance), EXPONENT);
+    const { elements: e } = camera.projectionMatrix;
+    grid.farol_fogRay.value.set(1 / e[0], 1 / e[5], e[8], e[9]);
+    this.findLights(frame, size);
+    history.now.fit(size);
+    integrated.fit(size);
+    const scatter = (this.scatter ??= fogScatterPass(grid, medium.uniforms, layers));
+    this.setScatter(scatter.uniforms, frame, history);
+    this.drawSlices(frame, scatter, history.now, size[2]);
+    const integrate = (this.integrate ??= fogIntegratePass(grid, layers));
+    integrate.uniforms.farol_froxels.value = history.now.texture;
+    this.drawSlices(frame, integrate, integrated, size[2]);
+    history.advance(camera);
+    uniforms.farol_media.value = integrated.texture;
+    const space = uniforms.farol_mediaSpace.value;
+    space[4] = 1 / sliceScale(this.distance);
+    space[5] = 1 / EXPONENT;
+    space[6] = size[2];
+    space[7] = 1;
+  }
+
+  private drawSlices(frame: Frame, pass: FullscreenPass, to: FroxelTexture, slices: number): void {
+    const { layers } = this;
+    for (let first = 0; first < slices; first += layers) {
+      this.grid.farol_fogGrid.value[3] = first;
+      to.bind(frame, first / layers, layers);
+      pass.draw(frame);
+    }
+  }
+
+  /** Finds which lights may reach each block of froxels. */
+  private findLights(frame: Frame, [across, up, away]: Froxels): void {
+    const { farol_fogBlocks } = this.grid;
+    const x = (farol_fogBlocks.value[0] = Math.ceil(across / 8));
+    const y = (farol_fogBlocks.value[1] = Math.ceil(up / 8));
+    const quads = Math.max(1, Math.ceil(frame.lights.listed / 128));
+    this.lights.drawToOwn(frame, (x * away) / 4, y * quads);
+  }
+
+  private setScatter(
+    uniforms: ReturnType<typeof fogScatterPass>['uniforms'],
+    { camera }: Frame,
+    history: FogHistory,
+  ): void {
+    const { count, frame } = history;
+    uniforms.farol_fogLights.value = this.lights.texture;
+    uniforms.farol_fogBefore.value = history.before.texture;
+    uniforms.farol_fogToWorld.value.copy(camera.matrixWorld);
+    uniforms.farol_fogToBefore.value.multiplyMatrices(history.view, camera.matrixWorld);
+    uniforms.farol_fogRayBefore.value.copy(history.ray);
+    uniforms.farol_anisotropy.value = Math.min(0.99, Math.max(-0.99, this.anisotropy));
+    const share = uniforms.farol_fogShare.value;
+    if (this.frames <= 1) share.set(0, 0, 0, 1);
+    else {
+      const index = (frame % 1024) + 1;
+      share.set(halton(index, 2) - 0.5, halton(index, 3) - 0.5, halton(index, 5) - 0.5, 1 / count);
+    }
+  }
+
+  /** Finds how many frames the history is the mean of, by what has changed. */
+  private note({ camera, lights, fields, shadowMapsDrawn }: Frame, history: FogHistory): void {
+    const { medium } = this;
+    if (history.looks !== medium.looks) history.count = 0;
+    history.looks = medium.looks;
+    const { elements: e } = camera.projectionMatrix;
+    const { x, y } = history.ray;
+    const isStill =
+      !medium.drifts && fields === null && shadowMapsDrawn === 0 && history.view.equals(camera.matrixWorldInverse);
+    history.note(this.frames, history.lights.changed(lights), isStill && near(e[0], x) && near(e[5], y));
+  }
+
+  private historyOf(camera: Camera): FogHistory {
+    this.used.use(camera);
+    let history = this.histories.get(camera);
+    if (history === undefined) this.histories.set(camera, (history = new FogHistory()));
+    return history;
+  }
+
+  private forget(camera: Camera): void {
+    this.histories.get(camera)?.dispose();
+    this.histories.delete(camera);
+  }
+
+  private warn(): void {
+    if (!this.hasWarned)
+      console.warn('Farol: volumetric fog is left out, since its froxels need perspective; use a PerspectiveCamera.');
+    this.hasWarned = true;
+  }
+}

@@ -1,0 +1,124 @@
+// Light that each froxel scatters to the eye per metre, and its extinction, joined with that of earlier frames.
+// Wronski 2014, Volumetric Fog; Henyey and Greenstein 1941 (phase function)
+#include "ambientLight"
+#include "incidentLight"
+#include "lightMask"
+#include "fogMedium"
+#include "fogSlices"
+uniform highp usampler2D farol_fogLights; // bits of lights, see fogLights.glsl
+uniform highp ivec2 farol_fogBlocks; // blocks of froxels across and up
+uniform highp sampler3D farol_fogBefore; // froxels of the last frame
+uniform highp mat4 farol_fogToWorld; // from view space
+uniform highp mat4 farol_fogToBefore; // from view space to that of the last frame
+uniform highp vec4 farol_fogRayBefore; // x and y scale of the last frame's projection, and its x and y shift
+uniform highp vec4 farol_fogShare; // xyz: place in the froxel (-0.5 to 0.5); w: share of this frame
+uniform highp float farol_anisotropy;
+layout(location = 0) out highp vec4 farol_froxel0;
+layout(location = 1) out highp vec4 farol_froxel1;
+layout(location = 2) out highp vec4 farol_froxel2;
+layout(location = 3) out highp vec4 farol_froxel3;
+#if FAROL_FOG_LAYERS > 4
+layout(location = 4) out highp vec4 farol_froxel4;
+layout(location = 5) out highp vec4 farol_froxel5;
+layout(location = 6) out highp vec4 farol_froxel6;
+layout(location = 7) out highp vec4 farol_froxel7;
+#endif
+// sums for the point at hand
+vec3 farol_fogPosition;
+vec3 farol_fogView; // from the eye, unit length
+vec3 farol_fogLight;
+
+//? farol_phase(0.5, 0.0) == 0.07957747154594767
+//? farol_phase(1.0, 0.5) == 0.477464829275686
+// share of light that is scattered by an angle, per steradian
+float farol_phase(const in float cosine, const in float anisotropy) {
+  float squared = anisotropy * anisotropy;
+  return 0.07957747154594767 * (1.0 - squared) / pow(max(1.0 + squared - 2.0 * anisotropy * cosine, 1e-4), 1.5);
+}
+
+// area light: by the irradiance of a surface that faces its middle; of a rectangle, of the brightest direction
+void farol_addAreaToFog(const in FarolLight light) {
+#ifdef FAROL_AREA_LIGHTS
+  vec3 toLight = light.direction * light.distance;
+  FarolArea area = farol_areaAt(-light.extension, toLight, light.direction);
+  if (area.window <= 0.0) return;
+  vec3 direction = light.direction;
+  float form;
+  if (area.shape == FAROL_AREA_RECTANGLE) {
+    vec3 sum = farol_rectangleForm(area.centre, area.halfWidth, area.halfHeight);
+    form = length(sum);
+    direction = -sum / max(form, 1e-12);
+  } else {
+    form = farol_areaDiffuse(farol_toTangentSpace(area, farol_areaLobe(direction, direction, vec4(0.0)).tangents));
+  }
+  vec3 arriving = farol_masked(light.color, light.mask, toLight, farol_fogPosition, direction, true);
+  farol_fogLight += 3.1415926536 * form * area.window * arriving
+    * farol_phase(dot(direction, farol_fogView), farol_anisotropy);
+#endif
+}
+
+void farol_addToFog(const in FarolLight light) {
+  if (light.attenuation <= 0.0) return;
+  if (light.extension < 0) {
+    farol_addAreaToFog(light);
+    return;
+  }
+  vec3 color = farol_masked(light.color, light.mask, light.direction * light.distance, farol_fogPosition,
+    light.direction, true);
+  if (light.extension > 0) color *= farol_extensionDiffuse(light.extension);
+  farol_fogLight += color * farol_phase(dot(light.direction, farol_fogView), farol_anisotropy);
+}
+
+vec4 farol_froxelAt(const in int slice) {
+  vec2 size = vec2(farol_fogGrid.xy);
+  vec2 place = (gl_FragCoord.xy + farol_fogShare.xy) / size;
+  float depth = farol_fogDepth(float(slice) + 0.5 + farol_fogShare.z);
+  farol_fogPosition = farol_fogRayAt(place) * depth;
+  vec4 medium = farol_mediumAt((farol_fogToWorld * vec4(farol_fogPosition, 1.0)).xyz);
+  vec4 froxel = vec4(0.0, 0.0, 0.0, medium.a);
+  if (medium.a > 0.0) {
+    farol_fogView = normalize(farol_fogPosition);
+    // radiance of ambient light: its mean, and as much of its slope as the phase function keeps
+    farol_fogLight = max(vec3(0.0), 0.3183098862 * farol_ambient
+      + 0.4774648293 * farol_anisotropy * (farol_ambientSlopes * farol_fogView));
+    int first = farol_lightCounts.x + farol_lightCounts.y;
+    for (int i = 0; i < first; i++) farol_addToFog(farol_lightAt(i, farol_fogPosition));
+    ivec2 block = ivec2(gl_FragCoord.xy) >> 3;
+    block.x += (slice >> 2) * farol_fogBlocks.x;
+    for (int quad = 0; quad * 128 < farol_lightCounts.z; quad++) {
+      uvec4 words = texelFetch(farol_fogLights, block, 0);
+      block.y += farol_fogBlocks.y;
+      for (int word = 0; word < 4; word++) {
+        uint bits = word < 2 ? (word == 0 ? words.x : words.y) : word == 2 ? words.z : words.w;
+        int record = first + quad * 128 + word * 32;
+        for (; bits != 0u; bits >>= 1, record++)
+          if ((bits & 1u) != 0u) farol_addToFog(farol_localLight(record, farol_fogPosition));
+      }
+    }
+    froxel.rgb = min(medium.rgb * farol_fogLight, 60000.0);
+  }
+  if (farol_fogShare.w < 1.0) {
+    vec3 middle = farol_fogRayAt(gl_FragCoord.xy / size) * farol_fogDepth(float(slice) + 0.5);
+    vec3 before = (farol_fogToBefore * vec4(middle, 1.0)).xyz;
+    vec3 at = vec3((before.xy * farol_fogRayBefore.xy / -before.z - farol_fogRayBefore.zw) * 0.5 + 0.5,
+      log(1.0 + max(-before.z, 0.0) / farol_fogSlices.x) / farol_fogSlices.y);
+    if (before.z < 0.0 && all(greaterThanEqual(at, vec3(0.0))) && all(lessThanEqual(at, vec3(1.0))))
+      froxel = mix(texture(farol_fogBefore, at), froxel, farol_fogShare.w);
+  }
+  return froxel;
+}
+//# main
+// a loop, since eight copies of the function would take long to compile
+for (int i = 0; i < FAROL_FOG_LAYERS; i++) {
+  vec4 froxel = farol_froxelAt(farol_fogGrid.w + i);
+  if (i == 0) farol_froxel0 = froxel;
+  else if (i == 1) farol_froxel1 = froxel;
+  else if (i == 2) farol_froxel2 = froxel;
+  else if (i == 3) farol_froxel3 = froxel;
+#if FAROL_FOG_LAYERS > 4
+  else if (i == 4) farol_froxel4 = froxel;
+  else if (i == 5) farol_froxel5 = froxel;
+  else if (i == 6) farol_froxel6 = froxel;
+  else farol_froxel7 = froxel;
+#endif
+}

@@ -1,0 +1,3 @@
+export { VolumetricFog } from './VolumetricFog';
+export { type FogShape, fogShapes, FogVolume } from './FogVolume';
+export { fogQualities, type Froxels } from './froxels';
