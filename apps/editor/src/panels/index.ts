@@ -47,7 +47,7 @@ export const panels: readonly Panel[] = [
   {
     id: 'lights',
     title: 'Lights',
-    icon: 'lamp',
+    icon: 'point',
     place: 'bottom',
     load: () => import('./lights/LightsPanel').then(({ LightsPanel }) => LightsPanel),
   },
