@@ -50,7 +50,7 @@ test('the light of a sky on level ground is the integral of its picture', () => 
   expect(sky.irradiance! / Math.PI).toBeLessThan(0.3);
 });
 
-test('a sky is painted anew only where a change of sun or moon is seen', () => {
+test('a sky is painted anew only where a change of sun or moon is seen', async () => {
   const source = new SkySource(() => {});
   const settings = new Scene().settings;
   const paintedFor = (sun: number, moon: number): unknown =>
@@ -61,15 +61,14 @@ test('a sky is painted anew only where a change of sun or moon is seen', () => {
       illuminance: null,
     });
   paintedFor(30, 10);
-  return source.ready!.then(() => {
-    const day = paintedFor(30, 10);
-    expect(paintedFor(30.05, 50)).toBe(day);
-    expect(paintedFor(30.5, 50)).not.toBe(day);
-    const night = paintedFor(-40, 10);
-    expect(paintedFor(-41, 10.2)).toBe(night);
-    expect(paintedFor(-41, 12)).not.toBe(night);
-    const moonless = paintedFor(-40, -10);
-    expect(paintedFor(-41, -20)).toBe(moonless);
-    source.dispose();
-  });
+  await source.ready;
+  const day = paintedFor(30, 10);
+  expect(paintedFor(30.05, 50)).toBe(day);
+  expect(paintedFor(30.5, 50)).not.toBe(day);
+  const night = paintedFor(-40, 10);
+  expect(paintedFor(-41, 10.2)).toBe(night);
+  expect(paintedFor(-41, 12)).not.toBe(night);
+  const moonless = paintedFor(-40, -10);
+  expect(paintedFor(-41, -20)).toBe(moonless);
+  source.dispose();
 });
