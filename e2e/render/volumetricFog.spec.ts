@@ -39,6 +39,41 @@ test('fog is alike under every technique @verify', async ({ benchPage: page }) =
   }
 });
 
+test('fog frees what it holds, and is the same when it is drawn again @verify', async ({ benchPage: page }) => {
+  const { held, freed, textures, again } = await page.evaluate(async () => {
+    const { FogScene, compareImages, farol } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const fogScene = new FogScene(64, 40);
+    const { bench, fog, scene, camera } = fogScene;
+    bench.byTechnique('deferred', scene, camera);
+    const { memory } = bench.webgl.info;
+    const before = memory.textures;
+    const first = fogScene.byFarol('deferred', 2);
+    const held = fog.bytes;
+    bench.farol.effects = [];
+    fog.dispose();
+    const [freed, textures] = [fog.bytes, memory.textures - before];
+    return { held, freed, textures, again: compareImages(first, fogScene.byFarol('deferred', 2)).psnr };
+  });
+  expect(held).toBeGreaterThan(3 * 8 * 5 * 64 * 8);
+  expect(freed).toBe(0);
+  expect(textures).toBe(0);
+  expect(again).toBeGreaterThan(80);
+});
+
+test('fog is drawn again when a lost context is back @verify', async ({ benchPage: page, watch }) => {
+  const psnr = await page.evaluate(async () => {
+    const { FogScene, compareImages, farol } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const fogScene = new FogScene(64, 40);
+    const first = fogScene.byFarol('deferred', 2);
+    await fogScene.bench.loseContext();
+    return compareImages(first, fogScene.byFarol('deferred', 2)).psnr;
+  });
+  expect(psnr).toBeGreaterThan(60);
+  expect(watch.forgive(/WebGL context was lost|Context Lost|Context Restored/i)).toBeGreaterThanOrEqual(1);
+});
+
 for (const technique of ['deferred', 'clustered-forward'] as const) {
   test(`fog by ${technique} is what a march of 512 steps gives, at rest and in motion @verify`, async ({
     benchPage: page,
@@ -63,6 +98,5 @@ for (const technique of ['deferred', 'clustered-forward'] as const) {
     expect.soft(still).toBeGreaterThanOrEqual(38);
     expect.soft(moving).toBeGreaterThanOrEqual(32);
     test.info().annotations.push({ type: 'dB', description: `${still.toFixed(1)}, moving ${moving.toFixed(1)}` });
-    console.log(technique, still, moving);
   });
 }
