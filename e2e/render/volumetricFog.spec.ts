@@ -39,6 +39,69 @@ test('fog is alike under every technique @verify', async ({ benchPage: page }) =
   }
 });
 
+test('fog frees what it holds, and is the same when it is drawn again @verify', async ({ benchPage: page }) => {
+  const { held, freed, textures, again } = await page.evaluate(async () => {
+    const { FogScene, compareImages, farol } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const fogScene = new FogScene(64, 40);
+    const { bench, fog, scene, camera } = fogScene;
+    bench.byTechnique('deferred', scene, camera);
+    const { memory } = bench.webgl.info;
+    const before = memory.textures;
+    const first = fogScene.byFarol('deferred', 2);
+    const held = fog.bytes;
+    bench.farol.effects = [];
+    fog.dispose();
+    const [freed, textures] = [fog.bytes, memory.textures - before];
+    return { held, freed, textures, again: compareImages(first, fogScene.byFarol('deferred', 2)).psnr };
+  });
+  expect(held).toBeGreaterThan(3 * 8 * 5 * 64 * 8);
+  expect(freed).toBe(0);
+  expect(textures).toBe(0);
+  expect(again).toBeGreaterThan(80);
+});
+
+test('fog is drawn again when a lost context is back @verify', async ({ benchPage: page, watch }) => {
+  const psnr = await page.evaluate(async () => {
+    const { FogScene, compareImages, farol } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const fogScene = new FogScene(64, 40);
+    const first = fogScene.byFarol('deferred', 2);
+    await fogScene.bench.loseContext();
+    return compareImages(first, fogScene.byFarol('deferred', 2)).psnr;
+  });
+  expect(psnr).toBeGreaterThan(60);
+  expect(watch.forgive(/WebGL context was lost|Context Lost|Context Restored/i)).toBeGreaterThanOrEqual(1);
+});
+
+test('a lamp of a light field lights fog as a PointLight does @verify', async ({ benchPage: page }) => {
+  const rows = await page.evaluate(async () => {
+    const { Bench, compareImages, effects, farol, lightFields, three } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const bench = new Bench(64, 40);
+    const camera = new three.PerspectiveCamera(60, 1.6, 0.1, 50);
+    const scene = new three.Scene();
+    const lamp = new three.PointLight(new three.Color(1, 0.6, 0.3), 12, 6);
+    lamp.position.set(0.5, 0.2, -4);
+    const field = new lightFields.LightField(2);
+    field.setPoint(0, 0.5, 0.2, -4, 6, 12, 7.2, 3.6);
+    const fog = new effects.VolumetricFog();
+    Object.assign(fog, { density: 0.1, distance: 12, frames: 1, time: 0, froxels: [16, 10, 64] });
+    bench.farol.effects = [fog];
+    return (['deferred', 'clustered-forward'] as const).map((technique) => {
+      scene.clear().add(lamp);
+      const one = bench.byTechnique(technique, scene, camera);
+      scene.clear().add(field);
+      const other = bench.byTechnique(technique, scene, camera);
+      return { psnr: compareImages(one, other).psnr, brightest: Math.max(...one.data) };
+    });
+  });
+  for (const { psnr, brightest } of rows) {
+    expect(brightest).toBeGreaterThan(0.05);
+    expect.soft(psnr).toBeGreaterThan(60);
+  }
+});
+
 for (const technique of ['deferred', 'clustered-forward'] as const) {
   test(`fog by ${technique} is what a march of 512 steps gives, at rest and in motion @verify`, async ({
     benchPage: page,
@@ -63,6 +126,5 @@ for (const technique of ['deferred', 'clustered-forward'] as const) {
     expect.soft(still).toBeGreaterThanOrEqual(38);
     expect.soft(moving).toBeGreaterThanOrEqual(32);
     test.info().annotations.push({ type: 'dB', description: `${still.toFixed(1)}, moving ${moving.toFixed(1)}` });
-    console.log(technique, still, moving);
   });
 }

@@ -186,6 +186,8 @@ export class VolumetricFog implements FarolEffect {
     const layers = (this.layers ||= drawBuffersOf(frame.gl) >= 8 ? 8 : 4);
     const size = this.froxels;
     const history = this.historyOf(this.camera);
+    // their records in the light table, which the renderer would draw after this
+    if (frame.fields?.isDrawn === false) frame.fields.render();
     medium.read(this, frame);
     this.note(frame, history);
     grid.farol_fogGrid.value.set(size);
