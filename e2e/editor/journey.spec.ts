@@ -41,7 +41,7 @@ own('add, edit, undo, redo, save, reload, open: the same scene', async ({ page }
   await expect(page.getByRole('treeitem', { name: 'Box' })).toHaveAttribute('aria-selected', 'true');
 
   await page.getByRole('combobox', { name: 'Add component' }).click();
-  await page.getByRole('option', { name: /^Light/ }).click();
+  await page.getByRole('option', { name: /^Light (?!Group)/ }).click();
   const light = page.getByRole('region', { name: 'Light', exact: true });
   await expect(light).toBeVisible();
 
@@ -267,7 +267,7 @@ test('plays, pauses, steps and stops without a trace in the history', async ({ p
   const paused = await time();
   expect(await place()).not.toEqual(authored);
   await expect(page.getByText(/^now /)).toBeVisible();
-  await page.getByRole('button', { name: /^Step/ }).click();
+  await page.getByRole('button', { name: /^Step by/ }).click();
   expect(await time()).toBeCloseTo(paused + 1 / 60, 6);
   await page.getByRole('button', { name: /^Stop/ }).click();
   expect(await time()).toBe(0);
