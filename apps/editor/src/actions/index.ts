@@ -32,6 +32,7 @@ import {
   open,
   openExamples,
   openOnPhone,
+  savePicture,
   recentActions,
   recover,
   save,
@@ -82,7 +83,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
     open: [open],
     save: [save, saveAs],
-    share: [exportScene, openOnPhone, letAgentEdit, measure],
+    share: [exportScene, savePicture, openOnPhone, letAgentEdit, measure],
     recover: [recover],
   },
   edit: {
