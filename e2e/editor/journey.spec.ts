@@ -48,7 +48,8 @@ own('add, edit, undo, redo, save, reload, open: the same scene', async ({ page }
   // scrub: many values, one step
   const before = (await history(page)).length;
   const handle = light.locator('[data-field="intensity"] .number-handle');
-  await handle.scrollIntoViewIfNeeded();
+  // parts of the light's section are fetched, and may take the row's place meanwhile
+  await expect(async () => handle.scrollIntoViewIfNeeded()).toPass();
   const box = (await handle.boundingBox())!;
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
