@@ -14,6 +14,7 @@ async function enter(input: Locator, text: string): Promise<void> {
 
 /** Presses and drags to the right; the button stays down. @param at - part of the width @param by - CSS pixels */
 async function drag(page: Page, handle: Locator, at: number, by: number): Promise<void> {
+  await handle.scrollIntoViewIfNeeded();
   // once the mouse is free again, and the handle stands still
   let before = '';
   await expect

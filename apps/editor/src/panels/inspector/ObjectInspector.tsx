@@ -96,42 +96,44 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
 
   return (
     <>
-      <div className="object-header">
-        <Icon name={isOne ? objectIcon(first) : 'duplicate'} />
-        {isOne ? (
-          <TextInput
-            key={first.id}
-            value={first.name}
-            label={t('Name')}
-            onCommit={(name) => name.trim() && commands.run(renameObject(first, name.trim()))}
+      <div className="object-scroll">
+        <div className="object-header">
+          <Icon name={isOne ? objectIcon(first) : 'duplicate'} />
+          {isOne ? (
+            <TextInput
+              key={first.id}
+              value={first.name}
+              label={t('Name')}
+              onCommit={(name) => name.trim() && commands.run(renameObject(first, name.trim()))}
+            />
+          ) : (
+            <span className="object-count">{t('{count} objects', { count: objects.length })}</span>
+          )}
+          <span className="object-static" aria-hidden="true">
+            {t('Static')}
+          </span>
+          <Toggle
+            value={objects.some(({ isStatic }) => isStatic !== first.isStatic) ? null : first.isStatic}
+            label={t('Static')}
+            description={t('The object stays where it is: baked light gives it a lightmap.')}
+            onChange={(isStatic) => editor.attempt(() => changeStatic(editor, objects, isStatic))}
           />
-        ) : (
-          <span className="object-count">{t('{count} objects', { count: objects.length })}</span>
-        )}
-        <span className="object-static" aria-hidden="true">
-          {t('Static')}
-        </span>
-        <Toggle
-          value={objects.some(({ isStatic }) => isStatic !== first.isStatic) ? null : first.isStatic}
-          label={t('Static')}
-          description={t('The object stays where it is: baked light gives it a lightmap.')}
-          onChange={(isStatic) => editor.attempt(() => changeStatic(editor, objects, isStatic))}
-        />
-        <span className="object-static" aria-hidden="true">
-          {t('Active')}
-        </span>
-        <Toggle
-          value={mixed ? null : first.active}
-          label={t('Active')}
-          description={t('Whether the object and all below it are there: shown, lit, moving.')}
-          onChange={(active) => commands.run(setActive(objects, active))}
-        />
+          <span className="object-static" aria-hidden="true">
+            {t('Active')}
+          </span>
+          <Toggle
+            value={mixed ? null : first.active}
+            label={t('Active')}
+            description={t('Whether the object and all below it are there: shown, lit, moving.')}
+            onChange={(active) => commands.run(setActive(objects, active))}
+          />
+        </div>
+        {isOne && first.prefabLink && <PrefabBar object={first} />}
+        <TagsField objects={objects} />
+        {groups.map((components) => (
+          <ComponentSection key={components.map(keyOf).join()} components={components} />
+        ))}
       </div>
-      {isOne && first.prefabLink && <PrefabBar object={first} />}
-      <TagsField objects={objects} />
-      {groups.map((components) => (
-        <ComponentSection key={components.map(keyOf).join()} components={components} />
-      ))}
       <div className="add-component">
         <SearchMenu label={t('Add component')} icon="add" className="button wide" items={items} onChoose={add} />
       </div>
