@@ -49,6 +49,6 @@ const words = {
 export function useGalleryTexts() {
   const { lang } = useData();
   const language = computed(() => (lang.value.startsWith('es') ? 'es' : 'en'));
-  const address = (page: string): string => withBase(`${language.value === 'es' ? '/es' : ''}/gallery/${page}`);
+  const address = (/** @type {string} */ page) => withBase(`${language.value === 'es' ? '/es' : ''}/gallery/${page}`);
   return { language, words: computed(() => words[language.value]), address };
 }
