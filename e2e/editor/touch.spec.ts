@@ -199,3 +199,27 @@ test.describe('in half as many pixels', () => {
     await fingers.lift();
   });
 });
+
+test(
+  'a finger that rests on an item of the library drags it into the picture',
+  { tag: '@verify' },
+  async ({ page }) => {
+    await openEditor(page, 'empty');
+    await page.getByRole('tab', { name: 'Library' }).tap();
+    const card = page.getByRole('region', { name: 'Library' }).getByRole('button', { name: 'Lantern' });
+    const from = (await card.boundingBox())!;
+    const picture = (await page.locator('.viewport-place canvas').first().boundingBox())!;
+    const fingers = await makeFingers(page);
+    const names = (): Promise<string[]> =>
+      page.evaluate(() => window.editor.document.scene.roots.map((object) => object.name));
+    await fingers.press([from.x + from.width / 2, from.y + from.height / 2]);
+    await expect(page.locator('.library-dragged')).toHaveCount(1);
+    await fingers.move([picture.x + picture.width * 0.3, picture.y + picture.height * 0.8]);
+    await fingers.lift();
+    await expect.poll(names).toEqual(['Camera', 'Sun', 'Sky', 'Lantern']);
+    await expect(page.locator('.library-dragged')).toHaveCount(0);
+    // a tap adds at the middle of the view
+    await card.tap();
+    await expect.poll(names).toEqual(['Camera', 'Sun', 'Sky', 'Lantern', 'Lantern 2']);
+  },
+);

@@ -1,6 +1,8 @@
 import { expect, test } from '../support/test';
 
-test('auto learns by a press of a button, says what, keeps it over a visit, and forgets it @verify', async ({ page }) => {
+test('auto learns by a press of a button, says what, keeps it over a visit, and forgets it @verify', async ({
+  page,
+}) => {
   test.setTimeout(240_000);
   await page.goto('./');
   const section = page.getByRole('region', { name: 'What auto learnt on this device' });

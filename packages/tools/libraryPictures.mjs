@@ -59,7 +59,7 @@ async function drawItem([id, group, size, quality]) {
   if (id === 'player') scene.activeCamera = scene.roots[0].getComponent('Camera');
   await scene.settings.skyReady;
   const item = scene.findById(editor.document.selection.ids[0]);
-  item.transform.position = [0, 0, 0];
+  if (group !== 'material' && !isSky) item.transform.position = [0, 0, 0];
   // lamps shine along -Z
   if (item.tags.includes('wall')) item.transform.rotation = [0, Math.PI, 0];
   else if (id === 'headlamps' || id === 'floodlight') item.transform.rotation = [0, 2.4, 0];
@@ -88,9 +88,11 @@ async function drawItem([id, group, size, quality]) {
   editor.document.selection.set([]);
   const fov = 0.45;
   const distance = ((isSky ? 2.4 : 0.92) * radius) / Math.sin(fov / 2);
-  const way = [isSky ? 0.35 : 0.5, isHung ? -0.12 : isSky ? -0.02 : id === 'street' ? 0.9 : 0.3, isSky ? 0.9 : 1].map(
-    (each, _, all) => each / Math.hypot(...all),
-  );
+  const way = [
+    isSky ? 0.35 : 0.5,
+    isHung ? -0.12 : isSky ? -0.02 : id === 'street' || id === 'ground' ? 0.9 : 0.3,
+    isSky ? 0.9 : 1,
+  ].map((each, _, all) => each / Math.hypot(...all));
   // the sky takes most of its picture
   const target = [centre.x, centre.y + (isSky ? 1.4 : 0), centre.z];
   const position = target.map((each, i) => each + way[i] * distance);

@@ -5,8 +5,8 @@ import { join } from 'node:path';
 /** Most bytes of a file that is fetched before it is used; the page's own scripts are, whatever their size. */
 const KEPT = 800_000;
 
-/** Files that are fetched only once they are used, or the app was installed: exports' players, pictures of the docs. */
-const LATE = /^(farol-player|screenshots\/)/;
+/** Files that are fetched only once they are used, or the app was installed: exports' players, pictures of the docs and of the library. */
+const LATE = /^(farol-player|library\/|screenshots\/)/;
 
 const icon = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-4 -4 24 24"><path fill="#15191f" d="M-4-4h24v24H-4z"/><path fill="#ffb454" d="M8 1 4 4l1 6h6l1-6zM7 10h2v5H7z"/></svg>`;
 

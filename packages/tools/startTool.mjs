@@ -63,8 +63,8 @@ export const startTool = (packageName, command, args, options) =>
   startScript(toolPath(packageName, command), args, options);
 
 /**
- * Has this process, when it is told to end, show at once what its scripts have said, interrupt them, show what they say of
- * that (Playwright lists the tests that were running), and end with them. A second signal ends it at once.
+ * Lets a signal to end show at once what the scripts of this process have said, interrupt them, show what they say of that
+ * (Playwright lists the tests that were running), and end the process with them. A second signal ends it at once.
  */
 export function endWithScripts() {
   for (const [signal, code] of /** @type {const} */ ([

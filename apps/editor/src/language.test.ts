@@ -83,7 +83,12 @@ const builtinWords = ({ assets }: Scene): string[] =>
 /** Names of items and materials of the library, of the objects in its prefabs, and its tags. */
 function libraryTexts(): string[] {
   const items = Object.values(libraryNames).flatMap((names) => Object.entries<string>(names));
-  const objects = items.flatMap(([id]) => buildLibraryItem(id)?.prefab.objects.map(({ name }) => name) ?? []);
+  const objects = items.flatMap(
+    ([id]) =>
+      buildLibraryItem(id)
+        ?.prefab.objects.slice(1)
+        .map(({ name }) => name) ?? [],
+  );
   return [
     ...items.map(([, name]) => name),
     ...objects,

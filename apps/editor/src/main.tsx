@@ -14,6 +14,7 @@ import { startPlugins } from './plugins/startPlugins';
 import './style/theme.css';
 import './style/base.css';
 import './style/controls.css';
+import './style/pickers.css';
 import './style/popups.css';
 import './style/layout.css';
 import { EditorProvider } from './ui/EditorContext';

@@ -20,8 +20,9 @@ export class ViewerEffects {
     const names: string[] = [];
     for (const [name, effect] of this.all) {
       const entry = effectEntries[name];
-      for (const [number, { property }] of Object.entries(entry.fields ?? {}))
-        Object.assign(effect, { [property]: effects[number] ?? effectParameters[number].default });
+      for (const [number, { kind, property }] of Object.entries(entry.fields ?? {}))
+        if (kind === 'number')
+          Object.assign(effect, { [property]: effects[number] ?? effectParameters[number].default });
       if (name === aa || effects[switchName(entry)] === true) names.push(name);
     }
     if (names.join() === this.active) return;

@@ -1,6 +1,7 @@
 import type { FarolRenderer } from '@farol/renderer';
 import type { AttachLanguage } from './language/languages';
 
+/** Options of `attachEditor`. */
 export interface AttachOptions {
   /** FarolRenderer that draws the page, if the page uses one; the panels then show its technique, view and figures. */
   farol?: FarolRenderer;

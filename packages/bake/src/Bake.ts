@@ -1,6 +1,7 @@
 import type { Mesh } from 'three';
 import type { BakedProbes } from './probes/BakedProbes';
 
+/** A lightmap of a bake. */
 export interface BakedLightmap {
   /** Size of the lightmap (texels). */
   readonly width: number;

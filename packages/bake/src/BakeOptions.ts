@@ -51,6 +51,7 @@ export interface TraceOptions {
   onWarning?(sentence: string): void;
 }
 
+/** Options of `bakeLightmaps`. */
 export interface BakeOptions extends TraceOptions {
   /** Width and height of a lightmap in texels: a multiple of 16, 16 to 8,192. Default 1,024. */
   size?: number;

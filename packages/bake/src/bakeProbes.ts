@@ -3,6 +3,7 @@ import { bakeLightmaps } from './bakeLightmaps';
 import type { TraceOptions } from './BakeOptions';
 import type { BakedProbes } from './probes/BakedProbes';
 
+/** Options of `bakeProbes`. */
 export interface BakeProbesOptions extends TraceOptions {
   /**
    * Side of the lightmap in which reflected light is kept while probes are traced (texels): a multiple of 16, 16 to

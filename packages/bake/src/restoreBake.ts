@@ -8,6 +8,7 @@ export interface SavedBake extends Pick<Bake, 'meshes' | 'channel' | 'probes'> {
   readonly lightmaps: readonly (BakedLightmap | Texture)[];
 }
 
+/** Options of `restoreBake`. */
 export interface RestoreOptions {
   /** Lights that the lightmaps contain, switched off while the bake is applied. Default none. */
   lights?: readonly Light[];

@@ -5,7 +5,6 @@
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
 export { followEffects } from './picture/followEffects';
-export { exposureFields } from './settings/exposureFields';
 export { effectFields } from './settings/effectFields';
 export { techniqueAbilities, type TechniqueAbilities } from './picture/techniqueAbilities';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
@@ -47,6 +46,7 @@ export { CharacterController } from './components/CharacterController';
 export { Collider } from './components/Collider';
 export { Joint } from './components/Joint';
 export { Decal } from './components/Decal';
+export { FogVolume } from './components/FogVolume';
 export { EventTrigger } from './components/EventTrigger';
 export { Grabbable } from './components/Grabbable';
 export { KeyController } from './components/KeyController';

@@ -14,8 +14,10 @@ export interface SceneBuildOptions {
   shadows?: boolean;
 }
 
+/** Values of the parameters of a demo scene, by name. */
 export type SceneParameters = Readonly<Record<string, FieldValue>>;
 
+/** A demo scene with its parameters, as menus of scenes offer it. */
 export interface SceneDefinition {
   /** Key in `scenes` and in URLs. */
   readonly name: string;

@@ -1,6 +1,6 @@
 import { AssetLibrary, Light, type Scene } from '@farol/engine';
 import { expect, it } from 'vitest';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import { openFirst } from './openFirst';
 
 it('shows the temple in the evening: its first frame without shadows, which come with the next', async () => {
@@ -11,7 +11,7 @@ it('shows the temple in the evening: its first frame without shadows, which come
   const editor = {
     show: (scene: Scene) => shown.push({ scene, casts: casts(scene) }),
     viewport: { invalidate: () => redraws++ },
-  } as unknown as Editor;
+  } as unknown as EditorApi;
   await openFirst(editor, null, (build) => build(new AssetLibrary()));
   const [{ scene, casts: atFirst }] = shown;
   expect(scene.name).toBe('Temple');

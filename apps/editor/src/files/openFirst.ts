@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type AssetLibrary, Light, type Scene } from '@farol/engine';
 import { scenes } from '@farol/scenes';
-import type { Editor } from '../Editor';
+import type { EditorApi } from '../api/EditorApi';
 import { samples } from '../api/Sample';
 import { makeEmptyScene } from '../model/makeEmptyScene';
 
@@ -9,7 +9,7 @@ import { makeEmptyScene } from '../model/makeEmptyScene';
 type Read = (build: (assets: AssetLibrary) => Promise<Scene>) => Promise<Scene | null>;
 
 /** Opens the first scene of an editor. @param name - a sample's, or 'empty'; the temple when null or unknown */
-export async function openFirst(editor: Editor, name: string | null, read: Read): Promise<void> {
+export async function openFirst(editor: EditorApi, name: string | null, read: Read): Promise<void> {
   if (name === 'empty') editor.show(makeEmptyScene(editor.document.assets), { name: null, handle: null });
   else if (name !== null && Object.hasOwn(samples, name)) await openNamed(editor, name);
   else {
@@ -23,11 +23,11 @@ export async function openFirst(editor: Editor, name: string | null, read: Read)
   }
 }
 
-const openNamed = (editor: Editor, name: string): Promise<void> =>
+const openNamed = (editor: EditorApi, name: string): Promise<void> =>
   Object.hasOwn(scenes, name) ? editor.openScene(name) : editor.openSample(name);
 
 /** Opens the temple in the evening; its first frame is seen before the programs of shadows are compiled. */
-async function openTemple(editor: Editor, read: Read): Promise<void> {
+async function openTemple(editor: EditorApi, read: Read): Promise<void> {
   const scene = await read((assets) => scenes.temple.build({ lights: 50, evening: true }, assets));
   if (!scene) return;
   const casting = scene.componentsOf(Light).filter(({ castShadow }) => castShadow);

@@ -5,6 +5,7 @@ import { agent } from './es/agent';
 import { animation } from './es/animation';
 import { areaLights } from './es/areaLights';
 import { arrange } from './es/arrange';
+import { assetNames } from './es/assetNames';
 import { bake } from './es/bake';
 import { buildings } from './es/buildings';
 import { components } from './es/components';
@@ -44,6 +45,7 @@ export const es: Texts = {
   ...animation,
   ...areaLights,
   ...arrange,
+  ...assetNames,
   ...bake,
   ...buildings,
   ...components,

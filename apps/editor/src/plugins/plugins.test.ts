@@ -146,7 +146,7 @@ describe('two editors on one page', () => {
     one.layout.maximise('viewport');
     expect(partsOf(other)).toEqual(before);
     expect(other.keys.keysOf(other.actions.get('edit.undo')!)).toEqual(['Ctrl+Z']);
-    expect(other.preferences.getState().theme).toBe('dark');
+    expect(other.preferences.getState().theme).toBe('system');
     expect(other.layout.isOpen('inspector')).toBe(true);
     expect(other.layout.maximised()).toBeNull();
   });

@@ -4,6 +4,7 @@ import {
   type Component,
   type ComponentClass,
   Decal,
+  FogVolume,
   type GameObject,
   Light,
   ParticleEmitter,
@@ -33,11 +34,12 @@ const MANY = 60;
 const LEAST = 8;
 
 const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
-const types: readonly ComponentClass[] = [Light, Camera, Decal, AudioSource, ParticleEmitter];
+const types: readonly ComponentClass[] = [Light, Camera, Decal, FogVolume, AudioSource, ParticleEmitter];
 /** Icons by component type; lights have icons of their own. */
 const kinds: Readonly<Record<string, string>> = {
   Camera: 'camera',
   Decal: 'decal',
+  FogVolume: 'fog',
   AudioSource: 'sound',
   ParticleEmitter: 'particles',
 };

@@ -81,10 +81,11 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     readonly canvas: HTMLCanvasElement,
   ) {
     super();
+    const failed = (error: unknown): void => this.onError(error);
     this.loop = new FrameLoop({
       advance: (seconds) => this.advance(seconds),
       draw: () => this.renderNow(),
-      failed: (error) => this.onError(error),
+      failed,
       rest: () => this.farol.updateTimes() && this.timed.emit(),
     });
     canvas.tabIndex = 0;
@@ -92,11 +93,9 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
-    this.picture = new PictureRenderer(this.farol, { redraw: this.redraw, failed: (error) => this.onError(error) });
+    this.picture = new PictureRenderer(this.farol, { redraw: this.redraw, failed });
     this.added = new AddedEffects(this.picture.effects);
-    const dragged = (isDragging: boolean): void => {
-      this.editorCamera.enabled = !isDragging;
-    };
+    const dragged = (isDragging: boolean): void => void (this.editorCamera.enabled = !isDragging);
     this.panes = new Panes(
       canvas,
       () => !this.keysGoToScene,
@@ -105,11 +104,9 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     const surface = paneSurface(canvas, () => this.panes.bounds);
     // the handles must receive pointer events before the camera, which then stays still
     this.gizmo = new Gizmo(document, surface, dragged, this.redraw, () => this.panes.listenLast());
-    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas, (error) =>
-      this.onError(error),
-    );
+    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas, failed);
     this.place = new CanvasPlace(canvas, () => this.resize());
-    this.helpers = new Helpers(document, this.redraw, (error) => this.onError(error));
+    this.helpers = new Helpers(document, this.redraw, failed);
     this.helpers.scene.add(this.gizmo.three);
     this.parts = new LateParts(this);
     this.boxSelect = new BoxSelect(this);
@@ -123,9 +120,8 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
       () => this.changed.emit(),
     );
     this.playView = new PlayView(document, this);
-    for (const signal of [document.edited, document.selection.changed, document.simulation.changed, this.changed]) {
-      this.endings.push(signal.subscribe(this.redraw));
-    }
+    const seen = [document.edited, document.selection.changed, document.simulation.changed, this.changed];
+    this.endings.push(...seen.map((signal) => signal.subscribe(this.redraw)));
     this.endings.push(
       document.assetsChanged.subscribe(() => {
         this.assetChanges++;

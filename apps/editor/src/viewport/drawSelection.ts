@@ -1,4 +1,4 @@
-import { AudioSource, Camera, Decal, type GameObject, Light, type Scene } from '@farol/engine';
+import { AudioSource, Camera, Decal, FogVolume, type GameObject, Light, type Scene } from '@farol/engine';
 import { Box3, Matrix4, OrthographicCamera, Vector3 } from 'three';
 import type { LineSet } from './LineSet';
 
@@ -145,6 +145,23 @@ function drawDecal(lines: LineSet, { gameObject, size }: Decal): void {
   for (const side of [-tip, tip]) lines.line(to, from.set(side, 0, tip - x.z).applyMatrix4(matrixWorld));
 }
 
+/** Box or ellipsoid of a fog volume. */
+function drawFog(lines: LineSet, { gameObject, shape, size }: FogVolume): void {
+  const { matrixWorld } = gameObject.object3D;
+  from.fromArray(size).multiplyScalar(0.5);
+  if (shape === 'box') {
+    lines.box(reach.set(to.copy(from).negate(), from), matrixWorld);
+    return;
+  }
+  centre.setFromMatrixPosition(matrixWorld);
+  x.setFromMatrixColumn(matrixWorld, 0).multiplyScalar(from.x);
+  y.setFromMatrixColumn(matrixWorld, 1).multiplyScalar(from.y);
+  z.setFromMatrixColumn(matrixWorld, 2).multiplyScalar(from.z);
+  lines.circle(centre, x, y, 64);
+  lines.circle(centre, y, z, 64);
+  lines.circle(centre, z, x, 64);
+}
+
 /** Adds the ranges of all enabled lights of a scene; with fewer segments when there are many. */
 export function drawRanges(lines: LineSet, scene: Scene): void {
   const lights = scene.componentsOf(Light);
@@ -156,7 +173,7 @@ export function drawRanges(lines: LineSet, scene: Scene): void {
 const MOST_RANGES = 8;
 
 /**
- * Adds lines for the selection: ranges of lights and sounds, frustums of cameras, boxes of decals. Beyond `MOST_RANGES`
+ * Adds lines for the selection: ranges of lights and sounds, frustums of cameras, boxes of decals and fog. Beyond `MOST_RANGES`
  * lights, only the range of the one selected last.
  */
 export function drawSelection(lines: LineSet, objects: readonly GameObject[], lookThrough: Camera | null): void {
@@ -174,6 +191,8 @@ export function drawSelection(lines: LineSet, objects: readonly GameObject[], lo
     const decal = object.getComponent(Decal);
     if (camera && camera !== lookThrough) drawCamera(lines, camera);
     if (decal) drawDecal(lines, decal);
+    const fog = object.getComponent(FogVolume);
+    if (fog) drawFog(lines, fog);
     const sound = object.getComponent(AudioSource);
     if (sound) drawSound(lines, sound);
   }

@@ -15,6 +15,7 @@ export const iconKinds = [
   'decal',
   'sound',
   'particles',
+  'fog',
 ] as const;
 
 const CELL = 64;

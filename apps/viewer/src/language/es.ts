@@ -7,6 +7,12 @@ const shared: Texts = {
   'The texts of this language could not be loaded: is the server there?':
     'No se pudieron cargar los textos de este idioma: ¿está el servidor?',
   Space: 'Espacio',
+  Evening: 'Atardecer',
+  'A low sun that throws shadows, a sky at sunset and tone mapping, in place of even light.':
+    'Un sol bajo que proyecta sombras, un cielo al atardecer y mapeo de tonos, en vez de luz uniforme.',
+  Editor: 'Editor',
+  Lab: 'Lab',
+  'Gallery of examples': 'Galería de ejemplos',
   Help: 'Ayuda',
   Close: 'Cerrar',
   'Examples for your own page': 'Ejemplos para una página propia',
@@ -30,6 +36,26 @@ const shared: Texts = {
   'Ambient occlusion': 'Oclusión ambiental',
   'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.':
     'La luz indirecta llega menos a los rincones; «Automático» elige entonces una técnica con G-buffer.',
+  'Volumetric fog': 'Niebla volumétrica',
+  'Fog that all lights light, with their shadows: halos, beams and shafts.':
+    'Niebla que iluminan todas las luces, con sus sombras: halos, haces y rayos.',
+  'Fog density': 'Densidad de la niebla',
+  'Share of light that is lost on a metre, for small values.':
+    'Parte de la luz que se pierde en un metro, si es pequeña.',
+  'Fog anisotropy': 'Anisotropía de la niebla',
+  'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.':
+    'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
+  'Fog height': 'Altura de la niebla',
+  'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
+  'Fog falloff': 'Descenso de la niebla',
+  'Rise above the height over which density falls to about a third; 0: it does not fall.':
+    'Subida sobre la altura en la que la densidad cae a un tercio aproximadamente; 0: no cae.',
+  'Fog noise': 'Ruido de la niebla',
+  'How much drifting clouds vary the density.': 'Cuánto varían la densidad las nubes a la deriva.',
+  'Fog noise size': 'Tamaño del ruido de la niebla',
+  'Size of the clouds.': 'Tamaño de las nubes.',
+  'Fog distance': 'Distancia de la niebla',
+  'Distance at which fog ends; the nearer, the finer.': 'Distancia a la que acaba la niebla; cuanto menor, más fina.',
   'Occlusion radius': 'Radio de la oclusión',
   'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
   'Occlusion strength': 'Fuerza de la oclusión',

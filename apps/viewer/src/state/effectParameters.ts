@@ -22,7 +22,9 @@ export const effectParameters: Readonly<Record<string, Field>> = Object.fromEntr
       const visibleWhen = { field: switchName(entry), equals: [true] };
       return [
         [switchName(entry), { kind: 'boolean', default: false, label, help }],
-        ...Object.entries(fields).map(([name, field]): [string, Field] => [name, { ...field, visibleWhen }]),
+        ...Object.entries(fields)
+          .filter(([, { kind }]) => kind === 'number')
+          .map(([name, field]): [string, Field] => [name, { ...field, visibleWhen }]),
       ];
     }),
 );

@@ -56,6 +56,7 @@ interface FieldBase {
   readonly readOnly?: boolean;
 }
 
+/** A field that holds a finite number. */
 export interface NumberField extends FieldBase {
   readonly kind: 'number';
   readonly default: number;
@@ -86,11 +87,13 @@ export interface AngleField extends FieldBase {
   readonly step?: number;
 }
 
+/** A field that holds true or false. */
 export interface BooleanField extends FieldBase {
   readonly kind: 'boolean';
   readonly default: boolean;
 }
 
+/** A field that holds text. */
 export interface StringField extends FieldBase {
   readonly kind: 'string';
   readonly default: string;
@@ -100,6 +103,7 @@ export interface StringField extends FieldBase {
   readonly input?: 'key';
 }
 
+/** A field that holds one of several names. */
 export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
@@ -108,6 +112,7 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
+/** A field that holds three numbers, x, y and z. */
 export interface Vector3Field extends FieldBase {
   readonly kind: 'vector3';
   readonly default: Vector3Tuple;
@@ -151,6 +156,7 @@ export interface GradientField extends FieldBase {
   readonly default: Gradient;
 }
 
+/** Types of assets that a field may name. */
 export type AssetType =
   | 'mesh'
   | 'texture'
@@ -196,6 +202,7 @@ export interface CustomField extends FieldBase {
   readonly default: FieldValue;
 }
 
+/** Declaration of a field, of any kind. */
 export type Field =
   | NumberField
   | AngleField
@@ -211,8 +218,11 @@ export type Field =
   | ObjectField
   | CustomField;
 
+/** Kinds of fields. */
 export type FieldKind = Field['kind'];
+/** Declarations of fields by name. */
 export type FieldTable = Readonly<Record<string, Field>>;
+/** Values that fields can have, and files can hold. */
 export type FieldValue = number | boolean | string | null | Vector3Tuple | Curve | Gradient;
 
 /** The type of a field's value. */

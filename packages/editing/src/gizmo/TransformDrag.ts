@@ -1,5 +1,6 @@
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 
+/** Kinds of drags of a gizmo. */
 export type TransformMode = 'translate' | 'rotate' | 'scale';
 
 /** Options of a gizmo drag of several objects. */

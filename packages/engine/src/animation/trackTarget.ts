@@ -34,6 +34,7 @@ export type TrackTarget =
   | { readonly component: Component; readonly problem: null }
   | { readonly component: null; readonly problem: string };
 
+/** Finds the component that a track of a clip animates, from the object that plays the clip. */
 export function trackTarget(root: GameObject, track: ClipTrack): TrackTarget {
   const none = (problem: string): TrackTarget => ({ component: null, problem });
   const object = objectAtPath(root, track.path);

@@ -8,6 +8,7 @@ import { PictureRenderer } from '../picture/PictureRenderer';
 import { InputRouter } from './InputRouter';
 import { MicroShaderOverrides } from './MicroShaderOverrides';
 
+/** Options of the constructor of App. */
 export interface AppOptions {
   /** Canvas to draw to; one is made when absent. */
   canvas?: HTMLCanvasElement;

@@ -19,6 +19,7 @@ import { Model } from './Model';
 import { modelParts } from './modelParts';
 import { AssetTable, sample } from './AssetTable';
 
+/** Options of the constructor of AssetLibrary. */
 export interface AssetLibraryOptions {
   /**
    * Addresses of assets by name: 'dragon' gets a PLY (may be gzip) in place of the one made in code; other names become

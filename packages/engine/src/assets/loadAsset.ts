@@ -3,6 +3,7 @@ import type { AssetType } from '@farol/editing/fields';
 import type { WebGLRenderer } from 'three';
 import type { AssetMemory } from './Asset';
 
+/** Options of a fetch of bytes. */
 export interface FetchOptions {
   /**
    * Whether the address is of another origin, which the user has allowed: fetched without cookies and referrer, and

@@ -161,8 +161,10 @@ export const materialMaps = {
   },
 } as const satisfies Readonly<Record<string, MaterialMap>>;
 
+/** Names of fields for the maps of three's mesh materials. */
 export type MaterialMapName = keyof typeof materialMaps;
 
+/** Names of fields for the maps of three's mesh materials, in the order of the inspector. */
 export const materialMapNames = Object.keys(materialMaps) as readonly MaterialMapName[];
 
 /** How a texture continues beyond its edges. */

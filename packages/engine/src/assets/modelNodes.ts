@@ -1,5 +1,6 @@
 import type { Object3D } from 'three';
 
+/** Nodes of a model that are drawn together, and the node that they are placed by. */
 export interface ModelSubtree {
   /** The node itself where there is one, else the nearest node above all of them. */
   readonly root: Object3D;

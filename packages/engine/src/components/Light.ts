@@ -33,6 +33,9 @@ const makers: Record<string, () => AnyLight> = {
   tube: () => new RectAreaLight(),
 };
 
+/** Solid angles of profiles, each an integral over the sphere. */
+const solidAngles = new WeakMap<PhotometricProfile, number>();
+
 const softened = new WeakSet<Scene>();
 
 /** Reapplies the fields of a scene's lights whenever its `shadowSoftness` changes. */
@@ -96,6 +99,15 @@ export class Light extends component(lightFields) {
   /** Whether the light shines from a rectangle, a disc or a tube, of `width` and `height`. */
   get isArea(): boolean {
     return this.type === 'rectangle' || this.type === 'disc' || this.type === 'tube';
+  }
+
+  /** Solid angle (sr) by which a profile's largest intensity gives its lumens; null for none, and until it is loaded. */
+  get profileSolidAngle(): number | null {
+    const profile = this.takeProfile();
+    if (!profile || profile.maximumIntensity === 0) return null;
+    let angle = solidAngles.get(profile);
+    if (angle === undefined) solidAngles.set(profile, (angle = profile.luminousFlux / profile.maximumIntensity));
+    return angle;
   }
 
   /** Range of the light (m); Infinity without a limit. */

@@ -6,9 +6,9 @@ import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { Scene } from '../core/Scene';
 import { lightOfKelvin } from '../photometry/colourTemperature';
-import type { SkyDirection } from '../settings/sky/dayLook';
+import type { SkyDirection } from '../settings/sky/daySky';
 import { Light } from './Light';
-import { lightShadows } from './newShadows';
+import { sunShadows } from './newShadows';
 
 /** Hours in which neither the light nor the shadows are seen to change: the sun moves by 0.03°. */
 const STEP = 0.002;
@@ -83,7 +83,7 @@ export class SunAndMoon extends component({
       label: 'Sun and moon',
       group: 'light',
       icon: 'directional',
-      with: [Light, { type: 'directional', ...lightShadows.directional }],
+      with: [Light, { type: 'directional', ...sunShadows(50) }],
     },
   ];
 
@@ -104,6 +104,7 @@ export class SunAndMoon extends component({
       const isOwn =
         (change.kind === 'field' || change.kind === 'component-add') &&
         change.component !== this &&
+        change.component.isAttached &&
         change.component.gameObject === this.gameObject;
       if (isOwn) this.show(this.hourAt(scene.time));
     });

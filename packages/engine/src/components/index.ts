@@ -8,6 +8,7 @@ import { Camera } from './Camera';
 import { CharacterController } from './CharacterController';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { FogVolume } from './FogVolume';
 import { Grabbable } from './Grabbable';
 import { Joint } from './Joint';
 import { EventTrigger } from './EventTrigger';
@@ -37,6 +38,7 @@ const components = [
   LightGroup,
   Camera,
   Decal,
+  FogVolume,
   Wall,
   Room,
   ParticleEmitter,

@@ -39,6 +39,7 @@ export interface ObjectsOfModel {
   readonly materials: readonly { readonly name: string; readonly values: Values }[];
 }
 
+/** Options of `objectsOfModel`. */
 export interface UnpackOptions {
   /** Prefix of each material's name: 'robot/'. */
   readonly materialFolder?: string;

@@ -5,6 +5,7 @@ import type { ComponentClass, ComponentData } from './ComponentClass';
 import { fits } from './changeClass';
 import { makeUnknownComponent } from './UnknownComponent';
 
+/** Options of the constructor of ComponentRegistry. */
 export interface ComponentRegistryOptions {
   /**
    * Whether files may hold components of types that nobody registered: each is kept as data, an `UnknownComponent`.

@@ -26,6 +26,7 @@ import { SceneViews } from './SceneViews';
 import { SceneRoot } from './SceneRoot';
 import { SceneSettings } from '../settings/SceneSettings';
 
+/** Options of the constructor of Scene. */
 export interface SceneOptions {
   name?: string;
   /** Library of meshes and textures. When absent, the scene makes one and disposes of it with itself. */

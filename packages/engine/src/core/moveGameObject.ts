@@ -5,6 +5,7 @@ import { checkSubtree } from './admission';
 import type { GameObject } from './GameObject';
 import type { GameObjectContainer } from './GameObjectContainer';
 
+/** Options of `GameObject.reparent`. */
 export interface MoveOptions {
   /** Keep position, rotation and scale in the world. */
   keepWorld?: boolean;

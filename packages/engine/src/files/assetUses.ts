@@ -5,6 +5,7 @@ import { sceneFields } from '../settings/SceneSettings';
 import { assetFields, type NamedAssetField } from '../fields/assetFields';
 import type { FarolFile, FileObject } from './FarolFile';
 
+/** A place of a scene file that names an asset. */
 export interface AssetUse {
   readonly path: string;
   readonly type: AssetType;

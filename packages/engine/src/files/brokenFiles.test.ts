@@ -87,7 +87,7 @@ const broken: [string, unknown, RegExp][] = [
     /components\[0\]\.version is 2, but this Farol knows Light up to version 1/,
   ],
   ['a component version of 0', file((objects) => (objects[0].components[0].version = 0)), /whole number of at least 1/],
-  ['an unknown field', setValue('glow', 1), /values\.glow is no field; the fields are type, diffuse/],
+  ['an unknown field', setValue('glow', 1), /values\.glow is no field; the fields are type, colourBy, diffuse/],
   ['a wrong type', setValue('intensity', '3'), /values\.intensity must be a finite number of at least 0.*not "3"/],
   ['a value out of range', setValue('penumbra', 2), /values\.penumbra must be a finite number from 0 to 1, not 2/],
   ['NaN', setValue('intensity', NaN), /values\.intensity must be .* not NaN/],

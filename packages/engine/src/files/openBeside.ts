@@ -17,6 +17,7 @@ export const handoverMessages = {
   failed: 'farol-scene-failed',
 } as const;
 
+/** Options of `openBeside`. */
 export interface OpenBesideOptions {
   /** Fragment of the address, after `#`. */
   readonly fragment?: string;

@@ -20,6 +20,7 @@ import { OwnAssets } from './OwnAssets';
 import { readObjects } from './readObjects';
 import { checkLinks, checkSizes, readPrefabs } from './readPrefabs';
 
+/** Options of `parseFile`. */
 export interface ParseOptions {
   /** Component types to read; the built-in ones when absent. */
   registry?: ComponentRegistry;

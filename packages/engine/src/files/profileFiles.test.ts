@@ -5,6 +5,7 @@ import '../components/index';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { Light } from '../components/Light';
 import { GameObject } from '../core/GameObject';
+import { shownIntensity } from '../photometry/shownIntensity';
 import { Scene } from '../core/Scene';
 import { containerContent, inlineAssets, writeContainer } from './container';
 import { deserialize } from './deserialize';
@@ -42,6 +43,17 @@ test('a profile is kept in files and links, its bytes as they are, and scales th
     expect(textureOf(light)).toBe(copy.assets.profile(NAME).texture);
     expect(copy.assets.profile(NAME).maximumIntensity).toBe(48);
   }
+});
+
+test('lumens of a light with a profile are those of its file, dimmed as its intensity is', async () => {
+  const { scene, light } = await litScene();
+  const { luminousFlux } = scene.assets.profile(NAME);
+  light.intensityUnit = 'lumen';
+  // 0.5 cd of the file's largest 48 cd
+  expect(shownIntensity(light).value).toBeCloseTo((luminousFlux * 0.5) / 48, 6);
+  expect(light.profileSolidAngle).toBeCloseTo(luminousFlux / 48, 6);
+  light.profile = null;
+  expect(shownIntensity(light).value).toBeCloseTo(2 * Math.PI, 6);
 });
 
 test('the profile of a light follows its fields, and gives the brightness where that is asked for', async () => {

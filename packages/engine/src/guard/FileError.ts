@@ -8,6 +8,7 @@ export interface FileProblem {
   readonly problem: string;
 }
 
+/** Options of the constructor of FileError. */
 export interface FileErrorOptions extends ErrorOptions {
   /** How many problems there are besides those of the list; 0 when absent. */
   more?: number;

@@ -94,12 +94,14 @@ export function valuesOfPreset(
   { type, amount, unit, lamp = 'led', kelvin, shape }: LightPreset,
   light: PhotometricLight,
 ): Readonly<Record<string, number | string | null>> {
+  const { cutoff, penumbra, exponent, width, height } = light;
   const values = { ...shape, type, lamp, profile: null };
+  const shaped = { cutoff, penumbra, exponent, width, height, ...values };
   return {
     ...values,
     ...(type === 'point' || type === 'spot' ? { attenuation: 'physical', decay: 2 } : {}),
     intensityUnit: unit,
-    intensity: amount / unitFactor({ ...light, ...values }, unit),
+    intensity: amount / unitFactor(shaped, unit),
     colourBy: 'temperature',
     kelvin,
   };

@@ -3,6 +3,7 @@ import { type LampKind, lampEfficacies } from './lampKinds';
 
 /** Units of a light's intensity. */
 export const intensityUnits = ['candela', 'lumen', 'lux', 'nits', 'watt'] as const;
+/** One of `intensityUnits`. */
 export type IntensityUnit = (typeof intensityUnits)[number];
 
 /** Names of the units with their symbols. */
@@ -39,6 +40,8 @@ export interface PhotometricLight {
   /** Photometric profile (IES), by which the light of each direction differs; null for none. */
   readonly profile?: FieldValue;
   readonly profileIntensity?: boolean;
+  /** Solid angle (sr) of a profile's light: its flux by its largest intensity; null until the profile is loaded. */
+  readonly profileSolidAngle?: number | null;
 }
 
 /** Unit of the number that three's light holds: candela, nits of area lights, lux of lights without a place. */
@@ -50,10 +53,11 @@ export function unitOfThree(type: string): IntensityUnit {
 const isArea = (type: string): boolean => type === 'rectangle' || type === 'disc' || type === 'tube';
 
 /** Units that an intensity of a light can be given in; the light's own first. */
-export function unitsFor(light: Pick<PhotometricLight, 'type' | 'profile'>): readonly IntensityUnit[] {
-  const { type } = light;
-  // of a light with a profile, the flux depends on a file
-  if (type === 'point' || type === 'spot') return light.profile ? ['candela'] : ['candela', 'lumen', 'lux', 'watt'];
+export function unitsFor(light: Omit<PhotometricLight, 'lamp'>): readonly IntensityUnit[] {
+  const { type, profile, profileIntensity, profileSolidAngle } = light;
+  // a cone cuts an unknown part off a profile's light
+  if (profile && (type === 'spot' || profileIntensity || !profileSolidAngle)) return ['candela'];
+  if (type === 'point' || type === 'spot') return ['candela', 'lumen', 'lux', 'watt'];
   return isArea(type) ? ['nits', 'lumen', 'candela', 'watt'] : ['lux'];
 }
 
@@ -62,8 +66,9 @@ export function unitsFor(light: Pick<PhotometricLight, 'type' | 'profile'>): rea
  * three's: `smoothstep` of the cosine, from that of the cone to that of the cone less its penumbra. Its integral over the
  * sphere is that of a hard cone at the mean of both cosines, since a smoothstep is half of its interval.
  */
-export function solidAngleOf({ type, cutoff, penumbra, exponent }: PhotometricLight): number {
-  if (type !== 'spot') return 4 * Math.PI;
+export function solidAngleOf(light: PhotometricLight): number {
+  const { type, cutoff, penumbra, exponent, profile, profileSolidAngle } = light;
+  if (type !== 'spot') return (profile && profileSolidAngle) || 4 * Math.PI;
   const edge = Math.cos(cutoff);
   if (exponent > 0) return (2 * Math.PI * (1 - edge ** (exponent + 1))) / (exponent + 1);
   return 2 * Math.PI * (1 - (edge + Math.cos(cutoff * (1 - penumbra))) / 2);

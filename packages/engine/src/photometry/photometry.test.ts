@@ -134,8 +134,15 @@ describe('solid angles and units', () => {
   test('units that a type does not have are not shown', () => {
     const measured = { ...light({ type: 'directional' }), intensity: 3, intensityUnit: 'lumen' as const };
     expect([shownUnit(measured), formatIntensity(measured)]).toEqual(['lux', '3 lx']);
-    expect(unitsFor({ type: 'point', profile: 'down' })).toEqual(['candela']);
   });
+});
+
+test('a light with a profile has the lumens of its file, and its units once the file is there', () => {
+  const shaped = light({ profile: 'down', profileSolidAngle: Math.PI });
+  expect(unitFactor(shaped, 'lumen')).toBe(Math.PI);
+  expect(unitsFor(light({ profile: 'down', profileSolidAngle: null }))).toEqual(['candela']);
+  expect(unitsFor({ ...shaped, profileIntensity: true })).toEqual(['candela']);
+  expect(unitsFor({ ...shaped, type: 'spot' })).toEqual(['candela']);
 });
 
 describe('presets', () => {

@@ -1,4 +1,5 @@
 import type { FarolEffect, FarolRenderer } from '@farol/renderer';
+import type { Color, Vector3Tuple } from 'three';
 import { LateCode } from '../base/LateCode';
 import type { SceneSettings } from '../settings/SceneSettings';
 import type { EffectEntry } from '@farol/renderer/effects';
@@ -71,6 +72,11 @@ export class PictureEffects {
     this.refresh();
   }
 
+  /** Gives effects that move with time, such as drifting fog, the scene's (s): it stands while nothing plays. */
+  setTime(seconds: number): void {
+    for (const effect of this.made.values()) if ('time' in effect) effect.time = seconds;
+  }
+
   /** Forgets what earlier frames have gathered: the picture has other tones now. */
   forgetFrames(): void {
     for (const effect of this.made.values()) effect.reset?.();
@@ -111,9 +117,13 @@ export class PictureEffects {
     for (const [name, effect] of this.made) this.set(effect, effectEntries[name]?.fields ?? {}, settings);
   }
 
-  /** Gives an effect the numbers of the settings. */
+  /** Gives an effect the numbers and colours of the settings. */
   private set(effect: FarolEffect, fields: NonNullable<EffectEntry['fields']>, settings: SceneSettings): void {
-    for (const name of Object.keys(fields)) Object.assign(effect, { [fields[name].property]: settings.get(name) });
+    for (const [name, { kind, property }] of Object.entries(fields)) {
+      const value = settings.get(name);
+      if (kind === 'colour') (Reflect.get(effect, property) as Color).fromArray(value as Vector3Tuple);
+      else Reflect.set(effect, property, value);
+    }
   }
 
   private wanted(settings: SceneSettings): string[] {

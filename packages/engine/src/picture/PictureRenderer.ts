@@ -27,6 +27,7 @@ export interface ScenePainter {
   render(scene: ThreeScene, camera: Camera): void;
 }
 
+/** Options of the constructor of PictureRenderer. */
 export interface PictureRendererOptions {
   /** Called when a frame is to be drawn, for hosts that draw none unless asked to. */
   readonly redraw?: () => void;
@@ -158,6 +159,7 @@ export class PictureRenderer {
     }
     this.shadows.follow(settings);
     this.effects.update(settings);
+    this.effects.setTime(scene.time);
   }
 
   /**

@@ -19,6 +19,7 @@ export type PrefabEdit =
   /** Moves an object in the tree; its local transform stays. */
   | { readonly kind: 'move-object'; readonly object: GameObject; readonly parent: GameObject };
 
+/** Carries out one edit of a plan on the objects of a scene. */
 export function applyPrefabEdit(edit: PrefabEdit): void {
   switch (edit.kind) {
     case 'field':

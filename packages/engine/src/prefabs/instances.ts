@@ -1,6 +1,7 @@
 import type { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
 
+/** Whether an object is the root of an instance of a prefab. */
 export const isInstanceRoot = (object: GameObject): boolean =>
   object.prefabLink !== null && object.prefabLink.source === object.prefabLink.prefab;
 

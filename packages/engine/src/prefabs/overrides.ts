@@ -6,6 +6,7 @@ import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './insta
 import type { Prefab } from '../core/Prefab';
 import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 
+/** A field of an instance whose value differs from its prefab's. */
 export interface FieldOverride {
   readonly component: Component;
   readonly field: string;

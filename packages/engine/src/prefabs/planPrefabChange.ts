@@ -11,6 +11,7 @@ import { type Prefab, PrefabError } from '../core/Prefab';
 import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
 import { PrefabSizes } from '../files/PrefabSizes';
 
+/** Changes that follow from a new version of a prefab; nothing is changed until they are applied. */
 export interface PrefabPlan {
   /** New data of the prefab, and of prefabs that hold instances of it. */
   readonly prefabs: readonly Prefab[];

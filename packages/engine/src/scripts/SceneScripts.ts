@@ -13,6 +13,7 @@ import { ScriptReset } from './ScriptReset';
 import { scriptClass } from './scriptClass';
 import { placeOfError } from './scriptUrl';
 
+/** Options of the constructor of SceneScripts. */
 export interface SceneScriptsOptions {
   /** Modules that scripts can import besides each other, by name: 'three', '@farol/engine', '@farol/engine/fields'. */
   readonly modules: Readonly<Record<string, object>>;

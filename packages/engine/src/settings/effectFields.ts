@@ -1,15 +1,17 @@
-import { boolean, type BooleanField, type FieldTable, type NumberField } from '@farol/editing/fields';
+import { boolean, type BooleanField, type ColourField, type FieldTable, type NumberField } from '@farol/editing/fields';
 import { type EffectEntry, type EffectName, effects } from '@farol/renderer/effects';
 
 type Entry = (typeof effects)[EffectName];
 type SwitchOf<E> = E extends { readonly setting: infer Name extends string } ? Name : never;
-type NumberOf<E> = E extends { readonly fields: infer Fields } ? keyof Fields : never;
+type FieldOf<E, Kind> = E extends { readonly fields: infer Fields }
+  ? { [Name in keyof Fields]: Fields[Name] extends { readonly kind: Kind } ? Name : never }[keyof Fields]
+  : never;
 
 /** Effects of the renderer as menus have them, by key. */
 export const effectEntries: Readonly<Record<string, EffectEntry>> = effects;
 
 function makeFields(): FieldTable {
-  const table: Record<string, BooleanField | NumberField> = {};
+  const table: Record<string, BooleanField | ColourField | NumberField> = {};
   for (const { label, help = label, setting, fields = {} } of Object.values(effectEntries)) {
     if (setting === undefined) continue;
     table[setting] = boolean(false, { label, help });
@@ -20,9 +22,11 @@ function makeFields(): FieldTable {
   return table;
 }
 
-/** Settings of a scene that switch effects of the renderer on, and set them: of each effect the switch, then its numbers. */
+/** Settings of a scene that switch effects of the renderer on, and set them: of each effect the switch, then its numbers and colours. */
 export const effectFields = makeFields() as Readonly<
-  Record<SwitchOf<Entry>, BooleanField> & Record<NumberOf<Entry>, NumberField>
+  Record<SwitchOf<Entry>, BooleanField> &
+    Record<FieldOf<Entry, 'number'>, NumberField> &
+    Record<FieldOf<Entry, 'colour'>, ColourField>
 >;
 
 /** Keys of the effects that smooth edges. */

@@ -1,3 +1,4 @@
+import { Color } from 'three';
 import { expect, test } from 'vitest';
 import { type EffectEntry, effects, loadEffects } from '.';
 
@@ -8,7 +9,8 @@ test('the numbers of an entry are properties of the effect, with its defaults', 
   for (const [name, { fields = {} }] of entries) {
     const effect = new classes[name]();
     for (const { property, default: value } of Object.values(fields)) {
-      expect([name, property, Reflect.get(effect, property)]).toEqual([name, property, value]);
+      const own: unknown = Reflect.get(effect, property);
+      expect([name, property, own instanceof Color ? own.toArray() : own]).toEqual([name, property, value]);
     }
   }
 });

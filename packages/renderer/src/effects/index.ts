@@ -21,6 +21,19 @@ export interface EffectField {
 /** Makes an effect with its defaults. */
 type EffectClass = new () => FarolEffect;
 
+/** A colour of an effect, for menus and scene files; the effect's property is a `Color` of three's. */
+export interface EffectColour {
+  readonly kind: 'colour';
+  /** Name of the effect's property. */
+  readonly property: string;
+  /** Name in menus. */
+  readonly label: string;
+  /** One line of help. */
+  readonly help: string;
+  /** Linear red, green and blue. */
+  readonly default: [number, number, number];
+}
+
 /** An effect as menus and scene files list it; `load` fetches its code. */
 export interface EffectEntry {
   /** Name in menus. */
@@ -33,8 +46,8 @@ export interface EffectEntry {
   readonly setting?: string;
   /** Short name of the switch, for addresses. Default: `setting`. */
   readonly short?: string;
-  /** Numbers that menus set, by their names in the settings of a scene. */
-  readonly fields?: Readonly<Record<string, EffectField>>;
+  /** Numbers and colours that menus set, by their names in the settings of a scene. */
+  readonly fields?: Readonly<Record<string, EffectField | EffectColour>>;
   /**
    * Buffer that the technique must fill before it shades; a technique that cannot leaves the effect out. Default: none.
    */
@@ -109,7 +122,7 @@ export const effects = {
     short: 'fog',
     stillFrames: 64,
     fields: {
-      fogDensity: {
+      volumetricDensity: {
         kind: 'number',
         property: 'density',
         default: 0.03,
@@ -120,7 +133,14 @@ export const effects = {
         help: 'Share of light that is lost on a metre, for small values.',
         label: 'Fog density',
       },
-      fogAnisotropy: {
+      volumetricColour: {
+        kind: 'colour',
+        property: 'albedo',
+        default: [1, 1, 1],
+        help: 'Share of light that the fog scatters; the rest is absorbed.',
+        label: 'Fog scattering',
+      },
+      volumetricAnisotropy: {
         kind: 'number',
         property: 'anisotropy',
         default: 0.3,
@@ -130,7 +150,7 @@ export const effects = {
         help: 'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.',
         label: 'Fog anisotropy',
       },
-      fogHeight: {
+      volumetricHeight: {
         kind: 'number',
         property: 'height',
         default: 0,
@@ -141,7 +161,7 @@ export const effects = {
         help: 'Height up to which the fog has its density.',
         label: 'Fog height',
       },
-      fogFalloff: {
+      volumetricFalloff: {
         kind: 'number',
         property: 'falloff',
         default: 0,
@@ -152,7 +172,7 @@ export const effects = {
         help: 'Rise above the height over which density falls to about a third; 0: it does not fall.',
         label: 'Fog falloff',
       },
-      fogNoise: {
+      volumetricNoise: {
         kind: 'number',
         property: 'noise',
         default: 0,
@@ -162,7 +182,7 @@ export const effects = {
         help: 'How much drifting clouds vary the density.',
         label: 'Fog noise',
       },
-      fogNoiseSize: {
+      volumetricNoiseSize: {
         kind: 'number',
         property: 'noiseSize',
         default: 4,
@@ -173,7 +193,7 @@ export const effects = {
         help: 'Size of the clouds.',
         label: 'Fog noise size',
       },
-      fogDistance: {
+      volumetricDistance: {
         kind: 'number',
         property: 'distance',
         default: 100,
@@ -205,6 +225,7 @@ export const effects = {
   },
 } as const satisfies Record<string, EffectEntry>;
 
+/** Names of the effects that Farol has. */
 export type EffectName = keyof typeof effects;
 
 /** The classes of all effects, fetched. @throws Error (as a rejection) when one cannot be fetched; try again */

@@ -40,6 +40,7 @@ export interface Resources {
   [own: `${string}:${string}`]: unknown;
 }
 
+/** Names of the resources that passes hand one another within a frame. */
 export type Resource = keyof Resources;
 
 /** A resource that is handed over by `put` and `get`. */

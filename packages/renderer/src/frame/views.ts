@@ -14,6 +14,7 @@ export const views = [
   'grid',
 ] as const;
 
+/** Names of the views: the final picture, or a part of how it is made. */
 export type View = (typeof views)[number];
 
 /** Whether the technique itself draws a view. */

@@ -17,6 +17,7 @@ export interface TexelFormat {
   readonly bytes: number;
 }
 
+/** A texture of the G-buffer. */
 export interface GBufferAttachment extends TexelFormat {
   readonly name: string;
   /** GLSL precision of the sampler uniform that reads it. Default 'highp'. */

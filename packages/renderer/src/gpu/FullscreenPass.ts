@@ -20,6 +20,7 @@ export interface MeshDrawer {
 /** Uniforms by name, as the pass's microshaders declare them. */
 export type Uniforms = Record<string, IUniform>;
 
+/** Options of the constructor of FullscreenPass. */
 export interface FullscreenPassOptions<U extends Uniforms> extends Omit<
   PassMaterialOptions,
   'name' | 'vertex' | 'fragment' | 'uniforms'

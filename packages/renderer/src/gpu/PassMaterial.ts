@@ -3,6 +3,7 @@ import type { MicroShaderRegistry } from '../microshaders';
 import { FULL_PRECISION } from '../three/inFullPrecision';
 import { threeChunks } from '../three/ThreeChunks';
 
+/** Options of the constructor of PassMaterial. */
 export interface PassMaterialOptions extends Pick<
   ShaderMaterialParameters,
   | 'transparent'

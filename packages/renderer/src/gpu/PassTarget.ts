@@ -2,6 +2,7 @@ import { DepthTexture, FloatType, NearestFilter, WebGLRenderTarget, type RenderT
 import { fitTarget } from './fitTarget';
 import { targetBytes } from './targetBytes';
 
+/** Options of the constructor of PassTarget. */
 export interface PassTargetOptions extends Omit<RenderTargetOptions, 'depthTexture'> {
   /** Whether depth is a texture of 32-bit floats, to be read by later passes. Default false: no depth at all. */
   readonly depthTexture?: boolean;

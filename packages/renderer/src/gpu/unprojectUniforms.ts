@@ -1,6 +1,7 @@
 import { Vector2, Vector4, type Camera, type IUniform, type PerspectiveCamera, type WebGLRenderer } from 'three';
 import { isDepthReversed } from '../three/state';
 
+/** Uniforms of the chunk `unproject`, which finds positions from depth. */
 export interface UnprojectUniforms extends Record<string, IUniform> {
   farol_unprojectZ: IUniform<Vector4>;
   farol_unprojectXY: IUniform<Vector4>;
@@ -8,6 +9,7 @@ export interface UnprojectUniforms extends Record<string, IUniform> {
   farol_depthMode: IUniform<Vector2>;
 }
 
+/** Makes the uniforms of the chunk `unproject`, which finds positions from depth. */
 export function unprojectUniforms(): UnprojectUniforms {
   return {
     farol_unprojectZ: { value: new Vector4() },

@@ -8,6 +8,7 @@ import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinRole, TwinShader } from './TwinKind';
 import { TwinRefusal } from '../three/TwinRefusal';
 
+/** Options of `litTwin`. */
 export interface LitTwinOptions {
   readonly key: string;
   readonly role?: TwinRole;

@@ -1,3 +1,4 @@
+/** Stages of a shader that a microshader is for. */
 export type MicroShaderStage = 'vertex' | 'fragment' | 'both';
 
 /**

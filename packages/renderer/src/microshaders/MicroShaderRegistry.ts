@@ -7,6 +7,7 @@ import { ShaderCache } from './ShaderCache';
 import { shortText } from './shortText';
 import { hashText } from './hashText';
 
+/** Options of the constructor of MicroShaderRegistry. */
 export interface MicroShaderRegistryOptions<Program> {
   /** Compiles the programs of `getShader`, whose `program` is null without a compiler. */
   compiler?: MicroShaderCompiler<Program>;

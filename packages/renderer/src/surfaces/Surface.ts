@@ -9,6 +9,7 @@ import { parseSurface, type ParsedSurface } from './parseSurface';
 import { probeSurface } from './probeSurface';
 import type { SurfaceUniform } from './SurfaceUniform';
 
+/** Values of a surface's uniforms. */
 export type SurfaceValue = number | boolean | Color | Vector2 | Vector3 | Vector4 | Texture | null;
 /** Values of the declared uniforms, by name. */
 export type SurfaceValues = Readonly<Record<string, SurfaceValue | readonly number[]>>;
@@ -19,6 +20,7 @@ export interface SurfaceRenderer {
   readonly microshaders: MicroShaderRegistry;
 }
 
+/** Options of the constructor of Surface. */
 export interface SurfaceOptions {
   /** Time (s) of the hooks, as an object that surfaces may share. Default an object of its own. */
   readonly time?: IUniform<number>;

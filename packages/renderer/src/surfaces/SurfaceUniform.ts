@@ -1,3 +1,4 @@
+/** GLSL types of a surface's uniforms. */
 export type SurfaceUniformType = 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'sampler2D';
 
 /** A uniform that a surface declares, as an editor shows it. */

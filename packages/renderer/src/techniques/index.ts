@@ -26,4 +26,5 @@ export const techniques = {
   'clustered-forward': clusteredForward,
 } as const satisfies Record<string, Technique>;
 
+/** Names of the techniques that Farol has. */
 export type TechniqueName = keyof typeof techniques;

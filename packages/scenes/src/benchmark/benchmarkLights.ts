@@ -6,6 +6,7 @@ import { addLightGrid } from './addLightGrid';
 /** Side of the floor in metres. */
 const SIDE = 30;
 
+/** Options of `benchmarkLights` and `benchmarkLightsObjects`. */
 export interface BenchmarkOptions extends SceneBuildOptions {
   /** Planes or meshes from front to back. Default `n`. */
   nRows?: number;

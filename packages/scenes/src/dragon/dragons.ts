@@ -3,6 +3,7 @@ import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 
+/** Options of `dragons`. */
 export interface DragonsOptions extends SceneBuildOptions {
   /** Moving point lights; 24 when absent. */
   lights?: number;

@@ -2,6 +2,7 @@ import { lightShadows, type Scene } from '@farol/engine';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 
+/** Options of `niceScene`. */
 export interface NiceSceneOptions extends SceneBuildOptions {
   /** Moving point lights besides the three of the thesis; 0 when absent. */
   lights?: number;

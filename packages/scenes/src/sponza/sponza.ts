@@ -7,6 +7,7 @@ import type { SceneBuildOptions } from '../SceneDefinition';
 import { addAtrium } from './addAtrium';
 import { atriumPlan } from './atriumPlan';
 
+/** Options of `sponza`. */
 export interface SponzaOptions extends SceneBuildOptions {
   /** The real Sponza, such as a loaded glTF's scene, in place of the atrium; brought to 40 m of length. */
   model?: Object3D;

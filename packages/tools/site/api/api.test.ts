@@ -4,7 +4,8 @@ import { declarationsOf } from './declarations.mjs';
 import { parseDocblock } from './docblock.mjs';
 import { excerptsOf } from './excerpts.mjs';
 
-const { pages } = apiPages();
+const { pages, examples } = apiPages();
+const exports = pages.flatMap((page) => page.exports);
 
 it('takes a docblock apart', () => {
   const block = '* Adds a `@lamp`.\n *\n * @param range - reach (m),\n *   above 0\n * @throws Error when it is 0\n ';
@@ -66,6 +67,16 @@ describe('a declaration', () => {
   });
 });
 
+it('shows the table of fields that a component extends as members', () => {
+  const source =
+    "export class Spin extends component({ speed: number(1, { unit: 'rad/s', help: 'Speed of it.' }) }) {}";
+  const spin = declarationsOf('Spin.ts', source).get('Spin');
+  expect(spin?.signatures).toEqual(['class Spin extends component({ … })']);
+  expect(spin?.members).toMatchObject([
+    { signature: "speed: number(1, { unit: 'rad/s' })", doc: { text: 'Speed of it.' } },
+  ]);
+});
+
 describe('an excerpt', () => {
   const source = `
 import { expect, it } from 'vitest';
@@ -121,5 +132,18 @@ describe('pages of the API', () => {
     const links = [...texts.values(), apiIndex()].flatMap((text) => [...text.matchAll(/\]\(\.\/([^)]*)\)/g)]);
     expect(links.length).toBeGreaterThan(1000);
     expect(links.map(([, link]) => link.replace('.md', '')).filter((link) => !known.has(link))).toEqual([]);
+  });
+});
+
+describe('public exports', () => {
+  const named = (list: typeof exports) => list.map(({ name, file, line }) => `${name} (${file}:${line})`);
+
+  it('have a docblock each', () => {
+    expect(named(exports.filter(({ doc }) => doc.text === ''))).toEqual([]);
+  });
+
+  // a class or a type may show the example of what takes or gives it
+  it('have an example each, of code that tests compile and run: else add one to e2e/samples', () => {
+    expect(named(exports.filter((each) => !examples.has(each)))).toEqual([]);
   });
 });

@@ -1,5 +1,5 @@
 import { parseSync } from 'vite';
-import { docblockBefore } from './docblock.mjs';
+import { docblockBefore, parseDocblock } from './docblock.mjs';
 
 /** A node of oxc's tree. @typedef {any} Node */
 
@@ -91,7 +91,11 @@ class Code {
 
   /** @param {Node} node @param {Declaration['kind']} kind */
   signature(node, kind) {
-    if (kind === 'class' || kind === 'interface') return this.text(node.start, node.body.start);
+    if (kind === 'class' || kind === 'interface') {
+      const table = tableOf(node);
+      if (!table) return this.text(node.start, node.body.start);
+      return `${this.text(node.start, table.start)}{ … }${this.text(table.end, node.body.start)}`;
+    }
     if (node.type === 'TSTypeAliasDeclaration') {
       const literal = node.typeAnnotation.type === 'TSTypeLiteral';
       return this.lines(node.start, literal ? node.typeAnnotation.start : node.end).replace(/ =$/, '');
@@ -118,8 +122,9 @@ class Code {
     /** @type {Node[]} */
     const nodes = node.body?.body ?? node.typeAnnotation?.members ?? [];
     if (node.type === 'FunctionDeclaration' || node.type === 'TSDeclareFunction') return [];
+    const fields = this.fields(tableOf(node)?.properties ?? []);
     const setters = new Set(nodes.filter(({ kind }) => kind === 'set').map(({ key }) => key.name));
-    return nodes.flatMap((each) => {
+    const members = nodes.flatMap((each) => {
       const fields = each.kind === 'constructor' ? this.parameterProperties(each) : [];
       const name = each.key ? this.text(each.key.start, each.key.end) : '';
       const doc = docblockBefore(this.comments, this.source, each.start);
@@ -134,6 +139,30 @@ class Code {
       if (isHidden) return fields;
       return [{ name, signature: this.memberSignature(each, name, setters.has(name)), doc }, ...fields];
     });
+    return [...fields, ...members];
+  }
+
+  /** Fields that a class declares by a table, with their help as text. @param {Node[]} properties @returns {ApiMember[]} */
+  fields(properties) {
+    return properties
+      .filter(({ value }) => value?.type === 'CallExpression')
+      .map(({ key, value }) => {
+        const options = value.arguments.find((/** @type {Node} */ { type }) => type === 'ObjectExpression');
+        const told = /^(help|label|optionLabels|group)$/;
+        /** @type {Node[]} */
+        const all = (options?.properties ?? []).filter((/** @type {Node} */ each) => each.type === 'Property');
+        const shown = all.filter((each) => !told.test(each.key.name)).map((each) => this.text(each.start, each.end));
+        const help = all.find((each) => each.key.name === 'help')?.value;
+        const first = value.arguments.filter((/** @type {Node} */ each) => each !== options);
+        const values = first.map((/** @type {Node} */ each) => this.text(each.start, each.end));
+        const list = [...values, ...(shown.length > 0 ? [`{ ${shown.join(', ')} }`] : [])].join(', ');
+        const text = help?.type === 'Literal' ? help.value : '';
+        return {
+          name: key.name,
+          signature: `${key.name}: ${this.text(value.callee.start, value.callee.end)}(${list})`,
+          doc: { ...parseDocblock(''), text },
+        };
+      });
   }
 
   /** Parameters of a constructor that are properties, and seen from outside. @param {Node} node @returns {ApiMember[]} */
@@ -191,3 +220,8 @@ class Code {
 
 /** @param {Node} node */
 const isFunction = (node) => node?.type === 'ArrowFunctionExpression' || node?.type === 'FunctionExpression';
+
+/** Table of fields that a class extends, as in `extends component({ … })`. @param {Node} node @returns {Node} */
+const tableOf = (node) =>
+  node.superClass?.type === 'CallExpression' &&
+  node.superClass.arguments.find((/** @type {Node} */ { type }) => type === 'ObjectExpression');

@@ -13,6 +13,9 @@ import { excerptsOf } from './excerpts.mjs';
  *   path: its file, from the repository's root; of: export that it uses, another where that takes or gives the type
  */
 
+/** Cost of an excerpt for being of a unit test. */
+const TEST = 30;
+
 /** Code that tests run, as readers best learn from it: less is shown rather. @type {{ files: RegExp, cost: number }[]} */
 const sources = [
   { files: /^e2e\/samples\/.*\.tsx?$/, cost: 0 },
@@ -21,7 +24,7 @@ const sources = [
   { files: /^apps\/site\/live\/gallery\/.*\.tsx?$/, cost: 2 },
   { files: /^e2e\/pages\/authoring\/.*\.ts$/, cost: 3 },
   { files: /^packages\/scenes\/src\/(?!.*\.test\.).*\.ts$/, cost: 8 },
-  { files: /^packages\/\w+\/src\/.*(?<!\.work|\.verify)\.test\.ts$/, cost: 30 },
+  { files: /^packages\/\w+\/src\/.*(?<!\.work|\.verify)\.test\.ts$/, cost: TEST },
 ];
 
 /**
@@ -106,7 +109,9 @@ class ExampleIndex {
       for (const lender of lenders.toSorted((a, b) => this.costOf(a) - this.costOf(b)))
         for (const type of lender.types.filter(isType)) {
           const example = this.found.get(lender);
-          if (this.found.has(type) || !example) continue;
+          const own = this.found.get(type);
+          // of its own, one of a unit test tells less than a reader's one of what takes it
+          if (!example || (own && (own.cost < TEST || own.cost <= example.cost + TEST / 2))) continue;
           this.found.set(type, example);
           next.push(type);
         }

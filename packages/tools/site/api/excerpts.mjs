@@ -16,8 +16,9 @@ import { parseSync } from 'vite';
 
 /** A name that a file imports. @typedef {{ specifier: string, imported: string }} Import */
 
-/** Lines that an excerpt may have. */
+/** Lines that an excerpt may have, and that a class in it may have before it is cut. */
 const MOST_LINES = 16;
+const MOST_OF_CLASS = 40;
 
 /** Costs, in lines: what the excerpt names and does not show, a use that is no call, and a check that is not shortened. */
 const UNSHOWN = 4;
@@ -52,7 +53,7 @@ export function excerptsOf(path, source, publicName, isWholeAlone) {
 }
 
 class ExcerptFile {
-  /** Names that pages import too, by the file's name. @type {Map<string, Import>} */
+  /** Names that pages import too, by the file's name. @type {Map<string, Import & { isType: boolean }>} */
   imports = new Map();
   /** Names that pages cannot import. @type {Set<string>} */
   unshown = new Set();
@@ -70,9 +71,10 @@ class ExcerptFile {
     this.comments = comments;
     for (const node of program.body)
       if (node.type === 'ImportDeclaration')
-        for (const { imported, local } of node.specifiers) {
+        for (const { imported, local, importKind } of node.specifiers) {
           const found = publicName({ specifier: node.source.value, imported: imported?.name ?? '' });
-          if (found) this.imports.set(local.name, found);
+          const isType = node.importKind === 'type' || importKind === 'type';
+          if (found) this.imports.set(local.name, { ...found, isType });
           else this.unshown.add(local.name);
         }
     this.find(program, null, []);
@@ -109,24 +111,28 @@ class ExcerptFile {
     const statement = list[index];
     let lines = this.lineCount(statement);
     let isCut = false;
-    if (lines > MOST_LINES) {
-      if (!/Class|Function/.test((statement.declaration ?? statement).type)) return null;
+    const { type } = statement.declaration ?? statement;
+    if (lines > (type === 'ClassDeclaration' ? MOST_OF_CLASS : MOST_LINES)) {
+      if (!/Class|Function/.test(type)) return null;
       isCut = true;
     }
     const shown = new Set([statement]);
     const needed = namesIn(statement);
     // what is made is used in the next lines
     const made = statement.type === 'VariableDeclaration' ? declaredBy(statement) : [];
-    for (const each of made.length > 0 ? list.slice(index + 1, index + 3) : []) {
+    let following = 0;
+    for (const each of made.length > 0 ? list.slice(index + 1, index + 4) : []) {
       const more = this.lineCount(each);
       const names = namesIn(each);
-      const goesOn = each.type === 'ExpressionStatement' && more <= 3 && lines + more <= MOST_LINES;
+      const goesOn = /Expression|Variable/.test(each.type) && more <= 3 && lines + more <= MOST_LINES;
       if (!goesOn || !made.some((name) => names.has(name))) break;
       shown.add(each);
       lines += more;
+      following += more;
       for (const name of names) needed.add(name);
     }
-    let cost = isCut ? 8 : 0;
+    // an excerpt that goes on to use the thing tells more than a shorter one
+    let cost = (isCut ? 8 : 0) - 2 * following;
     for (const { list, index } of places.toReversed())
       for (const each of list.slice(0, index).toReversed()) {
         if (each.type === 'ImportDeclaration') continue;
@@ -159,14 +165,15 @@ class ExcerptFile {
   importLines(names) {
     /** @type {Map<string, string[]>} */
     const bySpecifier = new Map();
-    for (const [local, { specifier, imported }] of this.imports) {
+    for (const [local, { specifier, imported, isType }] of this.imports) {
       if (!names.has(local)) continue;
-      const text = imported === '' ? '' : imported === local ? local : `${imported} as ${local}`;
-      bySpecifier.set(specifier, [...(bySpecifier.get(specifier) ?? []), text || `* as ${local}`]);
+      const text = imported === '' ? `* as ${local}` : imported === local ? local : `${imported} as ${local}`;
+      bySpecifier.set(specifier, [...(bySpecifier.get(specifier) ?? []), isType ? `type ${text}` : text]);
     }
     return [...bySpecifier].map(([specifier, all]) => {
-      const named = all.every((each) => !each.startsWith('*'));
-      return `import ${named ? `{ ${all.toSorted().join(', ')} }` : all.join(', ')} from '${specifier}';`;
+      const named = all.every((each) => !each.includes('*'));
+      const list = all.toSorted((a, b) => a.replace('type ', '').localeCompare(b.replace('type ', '')));
+      return `import ${named ? `{ ${list.join(', ')} }` : all.join(', ')} from '${specifier}';`;
     });
   }
 

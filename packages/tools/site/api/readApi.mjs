@@ -92,7 +92,7 @@ class Reader {
     return found;
   }
 
-  /** Where the declaration is that a name of a file stands for: its key. @param {string} file @param {string} name */
+  /** Key of the declaration that a name of a file stands for. @param {string} file @param {string} name */
   keyOf(file, name) {
     this.exportsOf(file);
     const imported = this.imports.get(file)?.get(name);

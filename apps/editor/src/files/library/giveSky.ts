@@ -24,7 +24,7 @@ function turnFrom(from: readonly [number, number, number]): [number, number, num
  * @param selected - ids selected now
  */
 export function giveSky(scene: Scene, name: string, sky: LibrarySky, selected: readonly string[]): Command {
-  const label = t('Made it {name}', { name });
+  const label = t('Changed the sky to {name}', { name });
   const lights = scene.componentsOf(Light);
   const sun = lights.find(({ type, gameObject }) => type === 'directional' && gameObject.parent === null);
   const fills = lights.filter(({ type, enabled }) => enabled && (type === 'hemisphere' || type === 'ambient'));

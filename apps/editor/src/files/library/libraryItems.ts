@@ -19,8 +19,14 @@ export interface LibraryItem {
 /** Items that draw nothing. */
 const unseen: ReadonlySet<string> = new Set(['player', 'zone']);
 
-const pictureOf = (id: string): string | null =>
-  unseen.has(id) ? null : new URL(`library/${id.replaceAll(/[ /]/g, '-').toLowerCase()}.webp`, document.baseURI).href;
+/** File in `public/library` with an item's picture; null for an item that draws nothing. */
+export const pictureFile = (id: string): string | null =>
+  unseen.has(id) ? null : `${id.replaceAll(/[ /]/g, '-').toLowerCase()}.webp`;
+
+function pictureOf(id: string): string | null {
+  const file = pictureFile(id);
+  return file && new URL(`library/${file}`, document.baseURI).href;
+}
 
 /** The items that come with the editor. */
 export const libraryItems = (): LibraryItem[] => [

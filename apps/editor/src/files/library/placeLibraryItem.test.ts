@@ -1,8 +1,14 @@
+import { readdir } from 'node:fs/promises';
+import { join } from 'node:path';
 import { GameObject, Light, ObjectRenderer, Room, Scene } from '@farol/engine';
+import { root } from '@farol/tools/root';
 import { PerspectiveCamera, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import type { EditorApi } from '../../api/EditorApi';
 import { EditorDocument } from '../../model/EditorDocument';
+import { libraryMaterials } from '../../model/library/materials';
+import { libraryNames } from '../../model/library/names';
+import { pictureFile } from './libraryItems';
 import { placeLibraryItem } from './placeLibraryItem';
 
 type Triple = [number, number, number];
@@ -115,7 +121,7 @@ test('a sky turns the sun into its own and switches off what stood for a sky; a 
   expect([sun.castShadow, sun.intensity < 0.5, sun.direction.y < -0.4]).toEqual([true, true, true]);
   await placeLibraryItem(editor, 'overcast');
   expect([sun.enabled, scene.settings.sky]).toEqual([false, 'overcast']);
-  expect(commands.history).toEqual(['Made it Moonlit night', 'Made it Overcast']);
+  expect(commands.history).toEqual(['Changed the sky to Moonlit night', 'Changed the sky to Overcast']);
   commands.undo();
   commands.undo();
   expect([sun.enabled, sun.intensity, fill.enabled, scene.settings.background]).toEqual([true, 2, true, 'colour']);
@@ -149,4 +155,13 @@ test('a player looks by its eyes, and gets a ground where nothing carries it; a 
   ]);
   for (let i = 0; i < 3; i++) commands.undo();
   expect([scene.roots.length, scene.activeCamera, scene.assets.fieldAssets('script').length]).toEqual([0, null, 0]);
+});
+
+test('every item that draws something has its picture, and there are no others', async () => {
+  const ids = [
+    ...Object.values(libraryNames).flatMap((names) => Object.keys(names)),
+    ...Object.keys(libraryMaterials).map((name) => `material/${name}`),
+  ];
+  const there = await readdir(join(root, 'public/library'));
+  expect(there.toSorted()).toEqual(ids.flatMap((id) => pictureFile(id) ?? []).toSorted());
 });

@@ -150,7 +150,7 @@ export class LiveShare {
     this.schedule();
   }
 
-  /** Pages that look begin anew when the scene begins to play; not after a pause. */
+  /** Tells pages that look to begin anew when the scene begins to play; not after a pause. */
   private tellPlay(): void {
     const { state } = this.editor.document.simulation;
     if (state === 'playing' && !this.hasBegun && this.count > 0) this.post({ kind: 'play' });

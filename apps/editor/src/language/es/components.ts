@@ -210,6 +210,17 @@ export const components: Texts = {
   Order: 'Orden',
   'Of decals in one place the highest is on top.':
     'De las calcomanías en un lugar, la de número más alto queda encima.',
+  'Fog Volume': 'Volumen de niebla',
+  'Fog volume': 'Volumen de niebla',
+  'Fog in a box or a ball, while Volumetric fog is on.':
+    'Niebla en una caja o una bola, mientras la niebla volumétrica está activada.',
+  'Shape of the fog.': 'Forma de la niebla.',
+  'Width, height and depth.': 'Anchura, altura y profundidad.',
+  Density: 'Densidad',
+  'Added to the fog of the scene; below 0 it takes fog away, as in a room.':
+    'Se suma a la niebla de la escena; por debajo de 0 quita niebla, como en una habitación.',
+  Softness: 'Suavidad',
+  'How far from its edge it grows to its density.': 'A qué distancia del borde llega a su densidad.',
   'Key Controller': 'Control por teclas',
   'Motion by keys, or by a finger on the left half.': 'Movimiento con teclas, o con un dedo en la mitad izquierda.',
   Front: 'Frente',
@@ -298,7 +309,7 @@ export const components: Texts = {
   'The model whose clips it plays.': 'El modelo cuyos clips reproduce.',
   'Shadow softness': 'Sombra suave',
   'How far the edges of shadows are blurred.': 'Cuánto se difuminan los bordes de las sombras.',
-  'More colours': 'Más colores',
+  'Ambient and highlights': 'Ambiente y brillos',
   Fading: 'Atenuación',
   Shadow: 'Sombra',
   'At the start': 'Al comienzo',

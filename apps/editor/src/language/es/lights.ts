@@ -35,7 +35,7 @@ export const lights: Texts = {
   'Search lights': 'Buscar luces',
   Selected: 'Seleccionadas',
   'Share of the lighting time, estimated for this view: tiles of 32 pixels that the bounds of the light touch, as in the lists of lights, times the cost of its kind (rectangle 4, disc 6.4, tube 3.7, ambient 0), twice that with a shadow. Walls that hide it do not count.':
-    'Parte del tiempo de iluminación, estimada para esta vista: teselas de 32 píxeles que tocan los límites de la luz, como en las listas de luces, por el coste de su clase (rectángulo 4, disco 6,4, tubo 3,7, ambiente 0), el doble con sombra. No cuentan las paredes que la tapan.',
+    'Parte del tiempo de iluminación, estimada para esta vista: teselas de 32 píxeles que tocan los límites de la luz, como en las listas de luces, por el coste de su clase (rectángulo 4, disco 6.4, tubo 3.7, ambiente 0), el doble con sombra. No cuentan las paredes que la tapan.',
   'Show only lights that are selected': 'Mostrar solo las luces seleccionadas',
   'Shows lights alone, until the scene plays or the panel is closed. Not saved.':
     'Muestra luces solas, hasta que la escena se reproduce o el panel se cierra. No se guarda.',

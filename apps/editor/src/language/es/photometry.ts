@@ -70,5 +70,5 @@ export const photometry = {
     'No se puede medir la luz: este dispositivo no dibuja en búferes de color flotantes.',
   'False colours of illuminance': 'Colores falsos de iluminancia',
   'Lux on surfaces': 'Lux en las superficies',
-  'Scale: from 0.1 lux, blue, to 100,000 lux, red': 'Escala: de 0,1 lux, azul, a 100 000 lux, rojo',
+  'Scale: from 0.1 lux, blue, to 100,000 lux, red': 'Escala: de 0.1 lux, azul, a 100 000 lux, rojo',
 };

@@ -83,12 +83,34 @@ export const picture: Texts = {
   'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
   'Occlusion strength': 'Fuerza de la oclusión',
   'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
+  'Fog density': 'Densidad de la niebla',
+  'Share of light that is lost on a metre, for small values.':
+    'Parte de la luz que se pierde en un metro, si es pequeña.',
+  'Fog scattering': 'Dispersión de la niebla',
+  'Share of light that the fog scatters; the rest is absorbed.':
+    'Parte de la luz que la niebla dispersa; absorbe el resto.',
+  'Fog anisotropy': 'Anisotropía de la niebla',
+  'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.':
+    'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
+  'Fog height': 'Altura de la niebla',
+  'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
+  'Fog falloff': 'Descenso de la niebla',
+  'Rise above the height over which density falls to about a third; 0: it does not fall.':
+    'Subida sobre la altura en la que la densidad cae a un tercio aproximadamente; 0: no cae.',
+  'Fog noise': 'Ruido de la niebla',
+  'How much drifting clouds vary the density.': 'Cuánto varían la densidad las nubes a la deriva.',
+  'Fog noise size': 'Tamaño del ruido de la niebla',
+  'Size of the clouds.': 'Tamaño de las nubes.',
+  'Fog distance': 'Distancia de la niebla',
+  'Distance at which fog ends; the nearer, the finer.': 'Distancia a la que acaba la niebla; cuanto menor, más fina.',
   'Effects of plugins': 'Efectos de complementos',
   'Names of effects of plugins that are on, with commas between them.':
     'Nombres de los efectos de complementos activados, separados por comas.',
   'Set effects': 'Elegir los efectos',
   'What is seen behind the objects, and lights them.': 'Lo que se ve detrás de los objetos, y los ilumina.',
   'How objects fade with distance.': 'Cómo se funden los objetos con la distancia.',
+  'Volumetric fog is off: fog volumes are not seen. Switch it on among the effects.':
+    'La niebla volumétrica está apagada: los volúmenes de niebla no se ven. Actívala entre los efectos.',
   Picture: 'Imagen',
   'How light becomes a picture.': 'Cómo la luz se convierte en imagen.',
   'Picture effects': 'Efectos de imagen',
@@ -150,4 +172,16 @@ export const picture: Texts = {
   'Direction of the sun on the compass, from +x towards +z.': 'Dirección del sol en la brújula, de +x hacia +z.',
   'Sun elevation': 'Altura del sol',
   'How high the sun stands above the horizon.': 'A qué altura está el sol sobre el horizonte.',
+  'Save a picture…': 'Guardar una imagen…',
+  'Save a picture': 'Guardar una imagen',
+  'The scene as it is seen now, without grid, icons and handles, as a PNG.':
+    'La escena como se ve ahora, sin rejilla, iconos ni asas, como PNG.',
+  'As shown': 'Como se ve',
+  'Without background': 'Sin fondo',
+  'With bloom, depth of field, vignette or automatic exposure at most {count} pixels a side.':
+    'Con resplandor, profundidad de campo, viñeta o exposición automática, {count} píxeles por lado como máximo.',
+  'Drawing the picture': 'Dibujando la imagen',
+  'Saved {fileName}': 'Se guardó {fileName}',
+  'The graphics device was lost while the picture was drawn: save it again.':
+    'El dispositivo gráfico se perdió mientras se dibujaba la imagen: guárdela otra vez.',
 };

@@ -30,6 +30,9 @@ export const rendering: Texts = {
   'Unsorted transparency': 'Transparencia sin ordenar',
   'Transparent layers are averaged, not sorted: they may pass through one another.':
     'Las capas transparentes se promedian, sin ordenarlas: pueden atravesarse.',
+  'Volumetric fog': 'Niebla volumétrica',
+  'Fog that all lights light, with their shadows: halos, beams and shafts.':
+    'Niebla que iluminan todas las luces, con sus sombras: halos, haces y rayos.',
   Effects: 'Efectos',
   'What takes part in the picture beside the technique.': 'Lo que interviene en la imagen además de la técnica.',
   'Anti-aliasing': 'Antialiasing',

@@ -1,22 +1,24 @@
-import type { Vector3Tuple } from '@farol/engine/fields';
+import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 import type { libraryNames } from './names';
 import { DOWN, glow, type ItemRoot, light, mesh, type Part, type Place } from './parts';
 
-/** Linear colours of lamps. */
-const WARM: Vector3Tuple = [1, 0.66, 0.36];
-const WHITE: Vector3Tuple = [1, 0.92, 0.82];
-const FIRE: Vector3Tuple = [1, 0.45, 0.15];
-const DAY: Vector3Tuple = [0.78, 0.89, 1];
+type Values = Readonly<Record<string, FieldValue>>;
+
+/** Colours of lamps, by temperature (K). */
+const [FIRE, WARM, WHITE, DAY] = [1900, 2700, 3500, 6500].map((kelvin): Values => ({
+  colourBy: 'temperature',
+  kelvin,
+}));
 
 const softShadow = { castShadow: true, shadowMapSize: 512, shadowRadius: 3 };
 
 /** A light whose field `type` is `point`. @param intensity - cd @param range - m */
-const bulb = (diffuse: Vector3Tuple, intensity: number, range: number, place: Place): Part =>
-  light({ diffuse, intensity, range }, place);
+const bulb = (colour: Values, intensity: number, range: number, place: Place): Part =>
+  light({ ...colour, intensity, range }, place);
 
 /** A cone of light with soft shadows. @param intensity - cd @param range - m @param cutoff - rad */
-const spot = (diffuse: Vector3Tuple, intensity: number, range: number, cutoff: number, place: Place): Part =>
-  light({ type: 'spot', ...softShadow, diffuse, intensity, range, cutoff, penumbra: 0.6 }, place);
+const spot = (colour: Values, intensity: number, range: number, cutoff: number, place: Place): Part =>
+  light({ type: 'spot', ...softShadow, ...colour, intensity, range, cutoff, penumbra: 0.6 }, place);
 
 const chandelierArms = (count: number): Part[] =>
   Array.from({ length: count }, (_, i): Part => {
@@ -133,7 +135,7 @@ export const lamps: Readonly<Record<keyof typeof libraryNames.lamp, () => ItemRo
       mesh('Casing', 'box', 'Enamel', { at: [0, -0.02, 0], size: [0.64, 0.04, 0.64] }),
       glow('Diffuser', 'box', 'White glow', { at: [0, -0.041, 0], size: [0.6, 0.004, 0.6] }),
       light(
-        { type: 'rectangle', diffuse: WHITE, intensity: 30, width: 0.6, height: 0.6, areaRange: 8 },
+        { type: 'rectangle', ...WHITE, intensity: 30, width: 0.6, height: 0.6, areaRange: 8 },
         { at: [0, -0.045, 0], turn: DOWN },
       ),
     ],
@@ -193,7 +195,7 @@ export const lamps: Readonly<Record<keyof typeof libraryNames.lamp, () => ItemRo
         at: [0, 1.85, 0],
         turn: [-0.15, 0, 0],
         parts: [
-          mesh('Case', 'box', 'Cast iron', { at: [0, 0, 0.05], size: [0.42, 0.3, 0.12] }, { castShadow: false }),
+          mesh('Housing', 'box', 'Cast iron', { at: [0, 0, 0.05], size: [0.42, 0.3, 0.12] }, { castShadow: false }),
           glow('Lens', 'box', 'White glow', { at: [0, 0, -0.012], size: [0.38, 0.26, 0.004] }),
           spot(WHITE, 400, 25, 0.75, { at: [0, 0, -0.02] }),
         ],
@@ -228,7 +230,7 @@ export const lamps: Readonly<Record<keyof typeof libraryNames.lamp, () => ItemRo
       mesh('Bar', 'box', 'Enamel', { at: [0, 0.2, -0.03], size: [1.2, 0.04, 0.04] }),
       glow('Pane', 'box', 'Daylight glow', { at: [0, 0, -0.008], size: [1.2, 1.28, 0.01] }),
       light(
-        { type: 'rectangle', diffuse: DAY, intensity: 14, width: 1.2, height: 1.28, areaRange: 12 },
+        { type: 'rectangle', ...DAY, intensity: 14, width: 1.2, height: 1.28, areaRange: 12 },
         { at: [0, 0, -0.07] },
       ),
     ],

@@ -46,7 +46,7 @@ export const libraryMaterials = {
   Marble: textured('marble', 1, 0.25),
   Asphalt: matt([0.045, 0.046, 0.05], 0.85),
   'Wet asphalt': matt([0.02, 0.021, 0.024], 0.22),
-  Paving: textured('tiles', 13, 0.8, 1),
+  Paving: textured('stone', 10, 0.85, 1.5),
   Grass: textured('grass', 12, 0.95),
   'Red cloth': textured('cloth-red', 3, 0.95),
   Rubber: matt([0.02, 0.02, 0.02], 0.8),

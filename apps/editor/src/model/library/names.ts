@@ -22,7 +22,7 @@ export const libraryNames = {
     tree: 'Tree',
     fir: 'Fir',
     bench: 'Bench',
-    table: 'Table',
+    table: 'Table##furniture',
     chair: 'Chair',
     crate: 'Crate',
     barrel: 'Barrel',

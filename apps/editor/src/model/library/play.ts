@@ -16,7 +16,7 @@ const sensor = (width: number, height: number, depth: number): PartComponent => 
 /** A small lamp that hovers. */
 const orb: readonly Part[] = [
   glow('Ball', 'sphere', 'Warm glow', { size: [0.12, 0.12, 0.12] }),
-  light({ diffuse: [1, 0.66, 0.36], intensity: 6, range: 8 }),
+  light({ colourBy: 'temperature', kelvin: 2700, intensity: 6, range: 8 }),
 ];
 
 /** Root of each item that does something while the scene plays. */

@@ -11,6 +11,7 @@ export interface LibrarySky {
   readonly sun: { readonly from: Vector3Tuple; readonly values: Values } | null;
 }
 
+const kelvin = (degrees: number): Values => ({ colourBy: 'temperature', kelvin: degrees });
 const soft = { castShadow: true, shadowMapSize: 2048 };
 
 /** Directions of the suns and moons are those of the painted skies. */
@@ -23,7 +24,7 @@ const direction = (elevation: number, azimuth = -115): Vector3Tuple => {
 export const skies: Readonly<Record<keyof typeof libraryNames.sky, LibrarySky>> = {
   'clear-day': {
     settings: { background: 'sky', sky: 'clear-day', skyLight: true, environmentIntensity: 0.8 },
-    sun: { from: direction(38), values: { ...soft, diffuse: [1, 0.96, 0.88], intensity: 3, shadowRadius: 2 } },
+    sun: { from: direction(38), values: { ...soft, ...kelvin(5600), intensity: 3, shadowRadius: 2 } },
   },
   overcast: {
     settings: { background: 'sky', sky: 'overcast', skyLight: true, environmentIntensity: 1 },
@@ -31,11 +32,11 @@ export const skies: Readonly<Record<keyof typeof libraryNames.sky, LibrarySky>> 
   },
   sunset: {
     settings: { background: 'sky', sky: 'sunset', skyLight: true, environmentIntensity: 0.8 },
-    sun: { from: direction(4), values: { ...soft, diffuse: [1, 0.5, 0.2], intensity: 2, shadowRadius: 3 } },
+    sun: { from: direction(4), values: { ...soft, ...kelvin(2300), intensity: 2, shadowRadius: 3 } },
   },
   'moonlit-night': {
     settings: { background: 'sky', sky: 'night', skyLight: true, environmentIntensity: 1 },
-    sun: { from: direction(30), values: { ...soft, diffuse: [0.6, 0.72, 1], intensity: 0.25, shadowRadius: 4 } },
+    sun: { from: direction(30), values: { ...soft, ...kelvin(9000), intensity: 0.25, shadowRadius: 4 } },
   },
   studio: {
     settings: { background: 'sky', sky: 'studio', skyLight: true, environmentIntensity: 1 },

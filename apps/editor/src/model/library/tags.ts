@@ -3,11 +3,11 @@ import type { LibraryId } from './names';
 /** Words by which items are found and filtered, in English. */
 export const libraryTags = {
   'street-lamp': ['Outdoors', 'Floor'],
-  lantern: ['Outdoors', 'Table', 'Fire'],
+  lantern: ['Outdoors', 'Table##furniture', 'Fire'],
   torch: ['Wall', 'Fire', 'Castle'],
-  candle: ['Table', 'Fire', 'Castle'],
+  candle: ['Table##furniture', 'Fire', 'Castle'],
   pendant: ['Ceiling', 'Indoors'],
-  'desk-lamp': ['Table', 'Indoors', 'Office'],
+  'desk-lamp': ['Table##furniture', 'Indoors', 'Office'],
   'neon-tube': ['Wall', 'Outdoors', 'Sign'],
   panel: ['Ceiling', 'Office'],
   'rail-spots': ['Ceiling', 'Stage', 'Indoors'],

@@ -61,7 +61,7 @@ export function removeFolderAsked({ document, commands }: EditorApi, path: strin
 }
 
 /** Entries for new scripts that begin as one of the library's. */
-const templateEntries = (editor: EditorApi, folder: string): MenuEntry[] =>
+export const templateEntries = (editor: EditorApi, folder: string): MenuEntry[] =>
   Object.entries(libraryScripts).map(([type, source]) => ({
     label: t(type),
     icon: 'code',

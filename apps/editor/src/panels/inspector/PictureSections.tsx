@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { effectFields, exposureFields, type SceneSettings } from '@farol/engine';
+import { effectFields, type SceneSettings } from '@farol/engine';
 import { type ReactNode, useMemo, useState } from 'react';
 import { allAtDefault } from './atDefault';
 import { FieldList } from './FieldList';
@@ -25,15 +25,9 @@ const sky = [
 ];
 const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];
 const picture = [
-  ...[
-    'technique',
-    'quality',
-    'antialiasing',
-    'frameBudget',
-    'toneMapping',
-    ...Object.keys(exposureFields('factor', '')),
-    'exposure',
-  ],
+  ...['technique', 'quality', 'antialiasing', 'frameBudget', 'toneMapping'],
+  ...['exposureBy', 'exposure', 'exposureValue', 'aperture', 'shutterTime', 'iso'],
+  ...['exposureLeast', 'exposureMost', 'exposureTime'],
   ...Object.keys(effectFields),
 ];
 const shadows = ['shadowKind', 'shadowSoftness', 'shadowCascades'];

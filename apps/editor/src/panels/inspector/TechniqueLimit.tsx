@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { Decal, type SceneSettings, techniqueAbilities } from '@farol/engine';
+import { Decal, FogVolume, type SceneSettings, techniqueAbilities } from '@farol/engine';
 import { type EffectEntry, effects } from '@farol/renderer/effects';
 import { type ReactNode, useMemo } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -35,7 +35,10 @@ export function TechniqueLimit({ settings }: { settings: SceneSettings }): React
   useSignal(document.structure);
   useOwnersRevision(useMemo(() => [settings], [settings]));
   const hasDecals = document.scene.componentsOf(Decal).length > 0;
-  return linesOf(settings, viewport.farol.techniques, hasDecals).map((line) => (
+  const lines = linesOf(settings, viewport.farol.techniques, hasDecals);
+  if (!settings.volumetricFog && document.scene.componentsOf(FogVolume).length > 0)
+    lines.push(t('Volumetric fog is off: fog volumes are not seen. Switch it on among the effects.'));
+  return lines.map((line) => (
     <p key={line} className="technique-limit">
       {line}
     </p>

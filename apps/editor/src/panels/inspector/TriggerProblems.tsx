@@ -15,7 +15,11 @@ export function TriggerProblems({ components }: { components: readonly Component
     <p key={text} className="technique-limit" role="note" aria-label={t('Problem')}>
       {text}{' '}
       {mend && (
-        <button type="button" className="button" onClick={() => editor.attempt(() => commands.run(mend.make()))}>
+        <button
+          type="button"
+          className="button small framed"
+          onClick={() => editor.attempt(() => commands.run(mend.make()))}
+        >
           {mend.label}
         </button>
       )}

@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useEffect, useMemo, useState } from 'react';
+import { type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
 import { setDraggedAsset } from '../../files/dragAsset';
+import { dropOn } from '../../files/dropOn';
 import { type LibraryItem, libraryItems } from '../../files/library/libraryItems';
 import {
   itemsOfFolder,
@@ -16,6 +17,7 @@ import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { SearchInput } from '../../ui/SearchInput';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
+import { watchFinger } from './watchFinger';
 import '../assets/assets.css';
 import './library.css';
 
@@ -41,12 +43,24 @@ function matches({ label, tags }: LibraryItem, search: string): boolean {
     .every((word) => text.includes(word));
 }
 
-/** Card of an item: dragged into the scene, or added at the middle of the view by a click, a tap or Enter. */
+/**
+ * Card of an item: dragged into the scene by a mouse, or by a finger that has rested on it; added at the middle of the
+ * view by a click, a tap or Enter.
+ */
 function LibraryCard({ item }: { readonly item: LibraryItem }): ReactNode {
   const editor = useEditor();
+  const card = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    const asset = { kind: 'library', name: item.id } as const;
+    return watchFinger(card.current!, ({ x, y }) => {
+      if (document.elementFromPoint(x, y)?.closest('.viewport-place') == null) return;
+      editor.attempt(() => dropOn(editor, { asset, files: new Map() }, { kind: 'picture', x, y }));
+    });
+  }, [editor, item.id]);
   return (
     <>
       <button
+        ref={card}
         type="button"
         className="asset-card"
         title={t('{name}: drag it into the picture, or click to add it', { name: item.label })}

@@ -7,6 +7,7 @@ import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
 import { SearchInput } from '../../ui/SearchInput';
 import { newScript } from '../../files/newScript';
+import { templateEntries } from '../assets/folderMenu';
 import { removeScript, scriptMenu } from './scriptActions';
 
 interface ScriptListProps {
@@ -55,15 +56,17 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
     <div className="chunk-list">
       <div className="panel-bar">
         <SearchInput label={t('Search scripts')} value={query} onSearch={setQuery} />
-        <button
-          type="button"
+        <MenuButton
+          label={t('New script')}
+          icon="add"
+          iconOnly
           className="button small"
-          aria-label={t('New script')}
-          title={t('New script')}
-          onClick={() => editor.attempt(() => newScript(editor))}
-        >
-          <Icon name="add" size={13} />
-        </button>
+          entries={() => [
+            { label: t('Empty script'), icon: 'code', run: () => editor.attempt(() => newScript(editor)) },
+            'separator',
+            ...templateEntries(editor, ''),
+          ]}
+        />
         <MenuButton
           label={t('What can be done with the script')}
           icon="more"

@@ -7,6 +7,7 @@ import { XRGrab } from './XRGrab';
 import { XRHand } from './XRHand';
 import { XRWalk } from './XRWalk';
 
+/** Modes of a WebXR session: in a scene of its own, or laid over the room. */
 export type XRMode = 'immersive-vr' | 'immersive-ar';
 
 /** Scene of a session, and how the page draws it without one. */

@@ -1,5 +1,6 @@
 import type { ProbeBox } from '@farol/renderer/light-probes';
 
+/** Pixels of a baked lightmap. */
 export interface LightmapData {
   /** Size of the lightmap (texels). */
   readonly width: number;
@@ -26,12 +27,14 @@ export interface LightmappedMesh {
   readonly sourceVertex: Uint32Array<ArrayBuffer>;
 }
 
+/** Light probes of a bake. */
 export interface ProbeData {
   readonly box: ProbeBox;
   /** Radiance coefficients, 27 per probe, ordered as in three's SphericalHarmonics3. */
   readonly coefficients: Float32Array<ArrayBuffer>;
 }
 
+/** Baked light of a scene, as a file of it holds it. */
 export interface BakeData {
   /** Signature of the scene at the time of the bake: see `bakeSignature`. */
   readonly signature: string;

@@ -5,6 +5,7 @@ type Render = WebGLRenderer['render'];
 /** Replaces a renderer's `render`. @param next - draws as without this replacement */
 export type Interceptor = (scene: Object3D, camera: Camera, next: Render) => void;
 
+/** A replacement of a renderer's `render`, as `interceptRender` returns it. */
 export interface Interception {
   /** The renderer's own `render`, without any replacement. */
   readonly stock: Render;

@@ -67,6 +67,7 @@ function floatTexture(data: Float32Array<ArrayBuffer>, width: number, height: nu
   return texture;
 }
 
+/** Textures of particles on the GPU. */
 export interface ParticleTextures {
   /** World position (m) and age (s) of each particle. */
   readonly positions: Texture;

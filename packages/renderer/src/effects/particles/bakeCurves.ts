@@ -14,7 +14,7 @@ function keyAfter(keys: readonly (CurveKey | GradientKey)[], time: number): numb
   return next;
 }
 
-/** @param keys - ascending, at least one @param time - 0 to 1 */
+/** Value of a curve at a time. @param keys - ascending, at least one @param time - 0 to 1 */
 export function curveAt(keys: readonly CurveKey[], time: number): number {
   const next = keyAfter(keys, time);
   if (next === 0) return keys[0][1];

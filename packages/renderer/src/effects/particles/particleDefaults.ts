@@ -1,5 +1,6 @@
 import type { ParticleSettings } from './ParticleSettings';
 
+/** Settings of a ParticleEmitter that are not given. */
 export const particleDefaults: ParticleSettings = {
   capacity: 1000,
   seed: 1,

@@ -122,4 +122,5 @@ export const particlePresets = {
   },
 } as const satisfies Record<string, Partial<ParticleSettings>>;
 
+/** Names of the settings of common effects. */
 export type ParticlePresetName = keyof typeof particlePresets;

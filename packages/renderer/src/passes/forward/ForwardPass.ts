@@ -8,6 +8,7 @@ import { BackgroundDraw } from '../output/BackgroundDraw';
 import type { Pass, Resource } from '../../frame/Pass';
 import type { LightLoop } from '../../materials/LightLoop';
 
+/** Options of the constructor of ForwardPass. */
 export interface ForwardPassOptions {
   readonly name: string;
   readonly list: 'opaque' | 'transmissive' | 'transparent';

@@ -12,6 +12,7 @@ export interface GBufferUniforms extends GBufferTextureUniforms, UnprojectUnifor
   farol_offset: IUniform<Vector2>;
 }
 
+/** Makes the uniforms by which a shader reads the G-buffer; `setGBufferUniforms` sets them. */
 export function gbufferUniforms(): GBufferUniforms {
   return {
     ...gbufferTextureUniforms(),

@@ -1,0 +1,71 @@
+/** Time (ms) that a finger rests on an element before it drags it; one that moves sooner scrolls. */
+const REST = 350;
+
+/** Way (CSS pixels) that a resting finger may move. */
+const SHAKE = 8;
+
+/** A point of the page (CSS pixels). */
+interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/**
+ * Lets a finger drag an element, which browsers do for mice alone: once it has rested, a copy of the element follows it.
+ * @param drop - called with the place where the finger is lifted
+ * @returns a function that ends it
+ */
+export function watchFinger(element: HTMLElement, drop: (at: Point) => void): () => void {
+  const end = new AbortController();
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let start: Point = { x: 0, y: 0 };
+  /** Copy that follows the finger; null while nothing is dragged. */
+  let copy: HTMLElement | null = null;
+
+  const follow = ({ x, y }: Point): void => {
+    if (copy) copy.style.transform = `translate(${x}px, ${y}px) translate(-50%, -100%)`;
+  };
+  const begin = (): void => {
+    copy = element.cloneNode(true) as HTMLElement;
+    copy.classList.add('library-dragged');
+    copy.setAttribute('aria-hidden', 'true');
+    copy.inert = true;
+    // within the editor, whose theme it has
+    (element.closest('.panel')?.parentElement ?? document.body).append(copy);
+    follow(start);
+  };
+  const letGo = (): void => {
+    clearTimeout(timer);
+    copy?.remove();
+    copy = null;
+  };
+  const on = <K extends keyof HTMLElementEventMap>(
+    name: K,
+    listen: (event: HTMLElementEventMap[K]) => void,
+    options: AddEventListenerOptions = {},
+  ): void => element.addEventListener(name, listen, { signal: end.signal, ...options });
+
+  on('pointerdown', ({ pointerType, isPrimary, clientX, clientY }) => {
+    letGo();
+    if (pointerType !== 'touch' || !isPrimary) return;
+    start = { x: clientX, y: clientY };
+    timer = setTimeout(begin, REST);
+  });
+  on('pointermove', ({ clientX: x, clientY: y }) => {
+    follow({ x, y });
+    if (!copy && Math.hypot(x - start.x, y - start.y) > SHAKE) clearTimeout(timer);
+  });
+  on('pointerup', ({ clientX: x, clientY: y }) => {
+    const wasDragged = copy !== null;
+    letGo();
+    if (wasDragged) drop({ x, y });
+  });
+  on('pointercancel', letGo);
+  on('contextmenu', (event) => copy && event.preventDefault());
+  // a drag does not scroll
+  on('touchmove', (event) => copy && event.preventDefault(), { passive: false });
+  return () => {
+    letGo();
+    end.abort();
+  };
+}
