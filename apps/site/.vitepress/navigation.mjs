@@ -165,7 +165,7 @@ export const groups = [...guides, ...techniques, ...englishThesis];
 
 export const english = {
   nav: [
-    page('Start', '/start'),
+    page('Get started', '/start'),
     page('Guides', '/guides/lights'),
     page('Techniques', '/techniques/'),
     page('Gallery', '/gallery/'),
