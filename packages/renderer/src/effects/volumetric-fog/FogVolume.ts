@@ -12,8 +12,10 @@ const nothing = new RawShaderMaterial({
 nothing.allowOverride = false;
 const box = new BoxGeometry();
 
+/** Shapes of a volume of fog. */
 export const fogShapes = ['box', 'sphere'] as const;
 
+/** Names of the shapes of a volume of fog. */
 export type FogShape = (typeof fogShapes)[number];
 
 /**
