@@ -12,15 +12,16 @@ interface LiveWindow {
   live: Promise<{ farol: FarolRenderer | Promise<FarolRenderer> }>;
 }
 
+const { FAROL_BUILT } = process.env;
+const siteFolder = FAROL_BUILT ? join(FAROL_BUILT, 'site') : join(root, 'apps/site/dist');
+
 /** The built site, served from a folder of a host. */
 const test = base.extend<object, { site: string }>({
   site: [
     // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
     async ({}, use) => {
-      const { FAROL_BUILT } = process.env;
-      const dist = FAROL_BUILT ? join(FAROL_BUILT, 'site') : join(root, 'apps/site/dist');
-      if (!existsSync(join(dist, 'index.html'))) throw new Error('Build the site: npm run build -- --site');
-      const server = await serveFolder(root, { isolated: false, beside: { 'a-folder': dist } });
+      if (!existsSync(join(siteFolder, 'index.html'))) throw new Error('Build the site: npm run build -- --site');
+      const server = await serveFolder(root, { isolated: false, beside: { 'a-folder': siteFolder } });
       await use(`${server.url}a-folder/`);
       await server.close();
     },
@@ -36,7 +37,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
   test.describe(colorScheme, () => {
     test.use({ colorScheme, viewport: { width: 390, height: 800 } });
 
-    for (const path of ['', 'start.html', 'guides/effects.html', 'guides/faq.html', 'techniques/', 'es/'])
+    for (const path of [
+      ...['', 'start.html', 'guides/effects.html', 'guides/faq.html', 'techniques/', 'es/'],
+      ...['api/', 'api/renderer.html', 'api/engine_components.html'],
+    ])
       test(`a phone shows "${path}" without scrolling sideways, and axe finds nothing @verify`, async ({
         page,
         site,
@@ -136,6 +140,41 @@ test.describe('on a desk', () => {
         }),
     );
     expect(resting[1] - resting[0]).toBeLessThanOrEqual(1);
+  });
+
+  test('the API is in the navigation and found by name, with an example and a link to the source @verify', async ({
+    page,
+    site,
+  }) => {
+    await page.goto(`${site}start.html`);
+    await page.getByRole('navigation', { name: 'Main Navigation' }).getByRole('link', { name: 'API' }).click();
+    await expect(page).toHaveURL(`${site}api/`);
+    await page.keyboard.press('Control+k');
+    await page.getByRole('searchbox').fill('LightField');
+    await expect(page.locator('.result').first()).toHaveAttribute('href', /renderer-light-field\.html#LightField$/);
+    await page.keyboard.press('Enter');
+    await expect(page).toHaveURL(`${site}api/renderer-light-field.html#LightField`);
+    await expect(page.locator('.vp-doc')).toContainText('new LightField(10_000)');
+    const source = page.getByRole('link', { name: 'source' }).first();
+    await expect(source).toHaveAttribute('href', /\/blob\/main\/packages\/renderer\/src\/light-fields\//);
+  });
+
+  test('a page that is not there has the styles and bars of the site, in any folder of it @verify', async ({
+    page,
+    site,
+    watch,
+  }) => {
+    const body = readFileSync(join(siteFolder, '404.html'), 'utf8');
+    // as hosts of static files answer
+    for (const path of ['none.html', 'guides/attempts/none/deeper.html']) {
+      await page.route(site + path, (route) => route.fulfill({ status: 404, contentType: 'text/html', body }));
+      await page.goto(site + path);
+      const bar = page.getByRole('navigation', { name: 'Main Navigation' });
+      await expect(bar.getByRole('link', { name: 'Techniques' })).toHaveAttribute('href', /\/a-folder\/techniques\/$/);
+      await expect(page.getByText('PAGE NOT FOUND')).toBeVisible();
+      expect(await page.evaluate(() => getComputedStyle(document.body).fontFamily)).toContain('system-ui');
+    }
+    watch.forgive(/404/);
   });
 
   test('gives machines its texts @verify', async ({ request, site }) => {

@@ -1,7 +1,7 @@
 import { App, createWebGLRenderer, noWebGL2, TouchControls, watchPixelRatio } from '@farol/engine';
 import { collectFiles, type FileMap, makeKTX2Loader } from '@farol/engine/files';
 import { playInXR, xrModes } from '@farol/engine/xr';
-import { clearLearnt } from '@farol/renderer';
+import { clearLearnt, learntChoices } from '@farol/renderer';
 import { PerspectiveCamera } from 'three';
 
 if (!document.createElement('canvas').getContext('webgl2')) document.body.textContent = noWebGL2;
@@ -30,5 +30,7 @@ for (const mode of await xrModes()) {
   button.addEventListener('click', () => void playInXR(stage, mode));
 }
 
+const learnt = await learntChoices();
+if (learnt.length > 0) console.log(learnt[0]);
 await clearLearnt(); // `technique: 'auto'` begins to learn anew
 app.dispose();

@@ -1,6 +1,6 @@
 /** Kinds of lamps whose electric power can stand for their light. */
 export const lampKinds = ['incandescent', 'halogen', 'fluorescent', 'led'] as const;
-/** Name of a kind of lamp. */
+/** Names of the kinds of lamps. */
 export type LampKind = (typeof lampKinds)[number];
 
 /**

@@ -3,7 +3,7 @@ import { type LampKind, lampEfficacies } from './lampKinds';
 
 /** Units of a light's intensity. */
 export const intensityUnits = ['candela', 'lumen', 'lux', 'nits', 'watt'] as const;
-/** Name of a unit of a light's intensity. */
+/** Names of the units of a light's intensity. */
 export type IntensityUnit = (typeof intensityUnits)[number];
 
 /** Names of the units with their symbols. */

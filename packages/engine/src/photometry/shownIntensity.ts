@@ -28,7 +28,7 @@ export interface ShownIntensity {
   readonly factor: number;
 }
 
-/** Intensity in the light's unit, with the factor from three's number. */
+/** Intensity of a light in the unit that it is shown in. */
 export function shownIntensity(light: MeasuredLight): ShownIntensity {
   const unit = shownUnit(light);
   const factor = unitFactor(light, unit);

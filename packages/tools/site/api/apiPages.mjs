@@ -73,14 +73,14 @@ function countBy(list, key) {
 /**
  * Bar of the API's pages.
  *
- * @returns {{ text: string, collapsed?: boolean, items: { text: string, link: string }[] }[]} a group of each package
+ * @returns {{ text: string, items: { text: string, link: string }[] }[]} a group of each package
  */
 export function apiBar() {
   /** @type {Map<string, ReturnType<typeof apiBar>[number]>} */
   const groups = new Map([['', { text: 'API', items: [{ text: 'All exports', link: '/api/' }] }]]);
   for (const { name, title, entry } of apiPages().pages) {
     const text = entry.split('/').slice(0, 2).join('/');
-    const group = groups.get(text) ?? { text, collapsed: false, items: [] };
+    const group = groups.get(text) ?? { text, items: [] };
     group.items.push({ text: title.slice(text.length).replace(/^: /, '') || entry, link: `/api/${name}` });
     groups.set(text, group);
   }

@@ -12,10 +12,10 @@ const nothing = new RawShaderMaterial({
 nothing.allowOverride = false;
 const box = new BoxGeometry();
 
-/** Shapes of a fog volume: a cube, or the ball in it. */
+/** Shapes of a volume of fog. */
 export const fogShapes = ['box', 'sphere'] as const;
 
-/** One of `fogShapes`. */
+/** Names of the shapes of a volume of fog. */
 export type FogShape = (typeof fogShapes)[number];
 
 /**
