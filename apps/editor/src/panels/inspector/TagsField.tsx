@@ -3,6 +3,7 @@ import type { GameObject } from '@farol/engine';
 import type { ReactNode } from 'react';
 import { SetProperty } from '../../model/commands/SetProperty';
 import { useEditor } from '../../ui/EditorContext';
+import { useIsFound } from '../../ui/FieldFilter';
 import { TextInput } from '../../ui/TextInput';
 
 const textOf = ({ tags }: GameObject): string => tags.join(', ');
@@ -11,12 +12,14 @@ const textOf = ({ tags }: GameObject): string => tags.join(', ');
 export function TagsField({ objects }: { objects: readonly GameObject[] }): ReactNode {
   const { commands } = useEditor();
   const [first] = objects;
+  const isFound = useIsFound(t('Tags'), 'tags');
   const help = t('Words by which scripts and triggers know the object, with commas between them.');
   const commit = (text: string): void => {
     const words = text.split(',').map((word) => word.trim());
     const tags = [...new Set(words.filter((word) => word !== ''))];
     commands.run(new SetProperty(t('Tagged {name}', { name: namesOf(objects) }), objects, 'tags', tags));
   };
+  if (!isFound) return null;
   return (
     <div className="field object-tags" data-field="tags" data-help={help}>
       <span className="field-label" title={help}>
