@@ -1,5 +1,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
+import { axeProblems } from '../support/axeProblems';
+import { outOfReach } from '../support/outOfReach';
 import { openEditor } from './editor';
 
 test.use({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
@@ -140,4 +142,40 @@ test('lamps are grouped, dimmed by their master and shown alone; each edit is on
   await page.getByRole('button', { name: 'End solo' }).click();
   expect((await shining(page, ['Lamp 1']))[0][1]).toBe(true);
   expect((await history(page)).length).toBe(2);
+});
+
+test('the keyboard goes through rows, switches and ranges of them; axe finds nothing, and all is in reach, in every size and theme @verify', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  await page.evaluate(() => window.editor.openScene('temple', { lights: 20 }));
+  await openLights(page);
+  const grid = page.getByRole('treegrid', { name: 'Lights' });
+  await grid.focus();
+  await page.keyboard.press('Home');
+  await page.keyboard.press('Shift+ArrowDown');
+  expect(await page.evaluate(() => window.editor.document.selection.ids.length)).toBe(2);
+  await page.keyboard.press('Space');
+  expect(await history(page)).toEqual([expect.stringMatching(/^Switched off Light of 2 objects/)]);
+  await page.keyboard.press('Control+a');
+  expect(await page.evaluate(() => window.editor.document.selection.ids.length)).toBeGreaterThan(20);
+  await page.keyboard.press('End');
+  await expect(grid.getByRole('row').last()).toHaveAttribute('aria-selected', 'true');
+  await page.getByRole('button', { name: 'Group', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New group of selected lights' }).click();
+  for (const [width, height] of [
+    [2560, 1440],
+    [1440, 900],
+    [390, 844],
+  ]) {
+    await page.setViewportSize({ width, height });
+    if (width === 390) await page.getByRole('tab', { name: 'Lights' }).click();
+    await expect(grid).toBeVisible();
+    for (const theme of ['light', 'dark'] as const) {
+      await page.evaluate((value) => window.editor.preferences.setState({ theme: value }), theme);
+      await expect(page.locator('html')).toHaveAttribute('data-theme', theme);
+      expect(await axeProblems(page)).toEqual([]);
+    }
+    expect(await outOfReach(page)).toEqual([]);
+  }
 });

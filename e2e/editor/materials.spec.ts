@@ -20,11 +20,11 @@ test('a material is made of an object, edited, dropped on another, named, put in
 
   // maps come with pictures, and a map of normals is offered those first
   await inspector.getByRole('combobox', { name: 'Normal map' }).click();
-  await expect(page.getByRole('option').first()).toHaveText('marble-normal');
+  await expect(page.getByRole('option').first()).toHaveText('Marble, normal map');
   await page.keyboard.press('Escape');
   await inspector.getByRole('combobox', { name: 'Colour map' }).click();
-  await expect(page.getByRole('option', { name: 'brick', exact: true }).locator('img')).toBeVisible();
-  await page.getByRole('option', { name: 'brick', exact: true }).click();
+  await expect(page.getByRole('option', { name: 'Brick', exact: true }).locator('img')).toBeVisible();
+  await page.getByRole('option', { name: 'Brick', exact: true }).click();
   await inspector.getByRole('button', { name: 'Placement of Colour map' }).click();
   await inspector.getByLabel('Repeat U').fill('3');
   await page.keyboard.press('Enter');

@@ -114,3 +114,13 @@ test('the palette finds a field by its help, shows it in the inspector, and adds
     .click();
   await expect.poll(() => page.evaluate(() => window.editor.commands.history.at(-1))).toContain('Random Movement');
 });
+
+test('the name of Farol opens the other apps @verify', async ({ page }) => {
+  for (const name of ['Viewer', 'Lab']) {
+    await page.getByRole('button', { name: 'Farol', exact: true }).click();
+    const opened = page.waitForEvent('popup');
+    await page.getByRole('menuitem', { name }).click();
+    await expect.poll(async () => (await opened).url()).toBe(process.env[`FAROL_${name.toUpperCase()}_URL`]);
+    await (await opened).close();
+  }
+});

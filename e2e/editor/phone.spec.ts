@@ -1,15 +1,20 @@
 import type { Page } from '@playwright/test';
 import { serveApps } from '@farol/tools/serveApps';
-import { expect, test } from '../support/test';
-import { inspectorFollows, openEditor } from './editor';
+import { expect, test as base } from '../support/test';
+import { inspectorFollows } from './editor';
+import { test as shared } from './sharedEditor';
 
-let served: Awaited<ReturnType<typeof serveApps>>;
-
-test.beforeAll(async () => {
-  served = await serveApps({ ports: { editor: 0 }, network: { editor: 0 }, hosts: ['127.0.0.1'], watch: false });
+/** With the editor's sources served to the network, which takes seconds. */
+const test = base.extend<{ served: Awaited<ReturnType<typeof serveApps>> }>({
+  // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
+  served: async ({}, use) => {
+    const served = await serveApps({
+      ...{ ports: { editor: 0 }, network: { editor: 0 }, hosts: ['127.0.0.1'], watch: false },
+    });
+    await use(served);
+    await served.close();
+  },
 });
-
-test.afterAll(() => served.close());
 
 /** A scene file: a white ball under a white lamp, before a camera. */
 function ballScene(): string {
@@ -63,6 +68,7 @@ const lookAt = (page: Page): Promise<Look | null> =>
 test('a phone shows the scene, follows a moved object and, over a lost connection, a recoloured lamp, and is counted @verify', async ({
   page,
   browser,
+  served,
   watch,
 }) => {
   test.slow();
@@ -130,8 +136,7 @@ test('a phone shows the scene, follows a moved object and, over a lost connectio
   await context.close();
 });
 
-test('a server that the network does not reach says how to start it, as often as it is asked', async ({ page }) => {
-  await openEditor(page, 'empty');
+shared('a server that the network does not reach says how to start it, as often as it is asked', async ({ page }) => {
   for (let i = 0; i < 2; i++) {
     await page.getByRole('menuitem', { name: 'File', exact: true }).click();
     await page.getByRole('menuitem', { name: 'Open on a phone…' }).click();

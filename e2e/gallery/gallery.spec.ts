@@ -13,8 +13,8 @@ const stills = join(liveFolder, 'assets/stills/gallery');
 /** Most bytes of a picture. */
 const MOST = 17_500;
 
-/** Small scenes of three kinds: a shadow, an edited microshader, particles. */
-const inSlice = ['first-lamp', 'attenuation-edited-live', 'campfire'];
+/** Small scenes of two kinds: an edited microshader, particles. */
+const inSlice = ['attenuation-edited-live', 'campfire'];
 
 /** Limits beside those of a technique, with their reasons. */
 const exceptions: Record<string, Limits | undefined> = {

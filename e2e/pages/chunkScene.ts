@@ -11,11 +11,10 @@ export function chunkScene(width: number, height: number): TestScene {
   floor.rotation.x = -Math.PI / 2;
   const ball = new THREE.Mesh(new THREE.SphereGeometry(0.9, 32, 20), new THREE.MeshPhongMaterial({ color: 0xee9966 }));
   ball.position.set(-1.2, 1, 0);
-  const box = new THREE.Mesh(
-    new THREE.BoxGeometry(1, 1.8, 1),
-    // in the slice the ball's kind: a program less
-    new (isSlice ? THREE.MeshPhongMaterial : THREE.MeshLambertMaterial)({ color: 0x66aaee }),
-  );
+  // in the slice the box is of the ball's kind: a program less
+  const blue = { color: 0x66aaee };
+  const matt = isSlice ? new THREE.MeshPhongMaterial(blue) : new THREE.MeshLambertMaterial(blue);
+  const box = new THREE.Mesh(new THREE.BoxGeometry(1, 1.8, 1), matt);
   box.position.set(1.2, 0.9, -0.4);
   const pane = new THREE.Mesh(
     new THREE.PlaneGeometry(1, 1),

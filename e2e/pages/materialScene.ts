@@ -151,8 +151,8 @@ export interface MaterialSceneOptions {
   /** Leaves out what no G-buffer holds, so that what is compared is the deferred path alone. */
   onlyDeferred?: boolean;
   fog?: boolean;
-  /** Leaves every second mesh out, the first (1) or the second (0) of two. */
-  half?: 0 | 1;
+  /** Which mesh of each three in a row is shown; default all. */
+  third?: 0 | 1 | 2;
   /** Penumbra of every spot light; default: mixed, none hard-edged. */
   penumbra?: number;
 }
@@ -224,7 +224,7 @@ export function materialScene(width: number, height: number, options: MaterialSc
   }
   meshes.forEach((mesh, i) => {
     mesh.position.set(((i % 6) - 2.5) * 1.9, (1 - Math.floor(i / 6)) * 1.9, 0);
-    if (options.half === undefined || i % 2 === options.half) scene.add(mesh);
+    if (options.third === undefined || i % 3 === options.third) scene.add(mesh);
   });
   const floor = new THREE.Mesh(
     new THREE.PlaneGeometry(30, 30),

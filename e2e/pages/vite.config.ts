@@ -26,6 +26,17 @@ export default defineConfig(({ command }) => ({
   build: {
     target: 'es2022',
     chunkSizeWarningLimit: 2000,
-    rolldownOptions: { input: pages },
+    rolldownOptions: {
+      input: pages,
+      output: {
+        // a page asks for a few files, not for ninety: a browser and Playwright take milliseconds for each
+        codeSplitting: {
+          groups: [
+            { name: 'three', tags: ['$initial'], test: /[\\/]node_modules[\\/]three[\\/]/, priority: 2 },
+            { name: 'renderer', tags: ['$initial'], test: /[\\/]packages[\\/]renderer[\\/]/, priority: 1 },
+          ],
+        },
+      },
+    },
   },
 }));

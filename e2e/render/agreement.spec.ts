@@ -25,7 +25,7 @@ interface SharedBench {
 /** Draws a scene by stock three once, and by every technique. */
 async function drawAll(
   page: Page,
-  options: Omit<MaterialSceneOptions, 'environment' | 'half'>,
+  options: Omit<MaterialSceneOptions, 'environment' | 'third'>,
   environment: boolean,
 ): Promise<Pair[]> {
   return page.evaluate(
@@ -34,12 +34,12 @@ async function drawAll(
       const bench = ((window as SharedBench).bench ??= new Bench(width, height));
       const map = environment ? bench.environment() : null;
       const names = Object.keys(farol.techniques) as TechniqueName[];
-      // in the slice half of the meshes by every second technique, the others by the rest: two or three of each family
-      return (isSlice ? ([0, 1] as const) : [undefined]).flatMap((half) => {
-        const { scene, camera } = materialScene(width, height, { ...options, environment: map, half });
+      // in the slice a third of the meshes by each technique, all of them by each family
+      return (isSlice ? ([0, 1, 2] as const) : [undefined]).flatMap((third) => {
+        const { scene, camera } = materialScene(width, height, { ...options, environment: map, third });
         const stock = bench.stock(scene, camera);
         return names
-          .filter((_, i) => half === undefined || i % 2 === half)
+          .filter((_, i) => third === undefined || i % 3 === third)
           .map((technique) => ({
             technique,
             flat: isFlat(stock),
@@ -61,7 +61,7 @@ test.describe.configure({ timeout: 480_000 });
 
 interface Variant {
   readonly name: string;
-  readonly options?: Omit<MaterialSceneOptions, 'environment' | 'half'>;
+  readonly options?: Omit<MaterialSceneOptions, 'environment' | 'third'>;
   readonly environment?: boolean;
   /** Only the edge may differ where a position is rebuilt. */
   readonly hardEdge?: boolean;

@@ -90,7 +90,7 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
           [chunk, from.source, from.flags, to] as const,
         ]),
       ),
-      undone: inTurn(Object.keys(changes), 1, 3),
+      undone: inTurn(Object.keys(changes), 1, 5),
     },
   );
   for (const { name, technique, ...difference } of results)

@@ -27,10 +27,12 @@ test.describe.configure({ timeout: 480_000 });
 
 const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF', 'shaders', 'shaders of lights'] as const;
 /**
- * Sheets that the slice draws by the forward technique (0) or that with a G-buffer (1) alone: forward, maps are three's own
- * code; agreement.spec.ts has each kind of geometry by every technique; the others are drawn forward in most cases.
+ * Whether the slice draws a sheet by the forward technique (0) or by that with a G-buffer (1): forward, maps are three's own
+ * code; agreement.spec.ts has the materials and each kind of geometry by every technique; the others are drawn forward in
+ * most cases.
  */
-const BY_ONE: Partial<Record<(typeof sheets)[number], 0 | 1>> = {
+const BY_ONE: Record<(typeof sheets)[number], 0 | 1> = {
+  materials: 1,
   maps: 1,
   geometry: 1,
   order: 0,
@@ -46,8 +48,7 @@ for (const [part, listed] of parts(sheets, 1).entries()) {
       const { results, unseen } = await page.evaluate(
         ([name, one]) => {
           const { drawn, runSheet, techniqueInTurn, techniquesInTurn } = window.testPage;
-          const techniques = techniquesInTurn(4, drawn);
-          return runSheet(name, one === undefined ? techniques : techniqueInTurn(one, techniques));
+          return runSheet(name, techniqueInTurn(one, techniquesInTurn(4, drawn)));
         },
         [sheet, BY_ONE[sheet]] as const,
       );

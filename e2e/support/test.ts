@@ -61,6 +61,8 @@ function filterRoughly(): void {
 
 /** Pages that have {@link reportLosses}. */
 const reporting = new WeakSet<Page>();
+/** Contexts whose pages have {@link filterRoughly}, in the slice. */
+const filtering = new WeakSet<BrowserContext>();
 
 export interface Watch {
   /** Problems seen so far: console errors and warnings, page errors, lost WebGL contexts. */
@@ -135,7 +137,10 @@ export const test = base.extend<
       const failed = (error: Error): void => void problems.push(`page error: ${error.stack ?? error.message}`);
       page.on('console', told).on('pageerror', failed);
       if (!reporting.has(page)) await page.addInitScript(reportLosses);
-      if (!reporting.has(page) && !isWhole) await page.addInitScript(filterRoughly);
+      const context = page.context();
+      // also for the pages that a test opens
+      if (!isWhole && !filtering.has(context)) await context.addInitScript(filterRoughly);
+      filtering.add(context);
       reporting.add(page);
       await use({
         problems,

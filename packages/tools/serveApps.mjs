@@ -58,6 +58,7 @@ export async function serveApps({ ports, built = false, watch = true, network = 
   const addresses = (request) =>
     JSON.stringify({
       ...urls,
+      ...(urls.site ? { gallery: `${urls.site}gallery/` } : {}),
       ...(request && 'encrypted' in request.socket
         ? urlsOf(String(request.headers.host).replace(/:\d+$/, ''))
         : { agent: join(root, 'packages/tools/mcp.mjs') }),
@@ -84,7 +85,7 @@ export async function serveApps({ ports, built = false, watch = true, network = 
       }
       if (name === 'site') {
         const { serveSite } = await import('./site/liveServer.mjs');
-        const { url, close: stop } = await serveSite(port ?? 0);
+        const { url, close: stop } = await serveSite(port ?? 0, () => JSON.stringify(urls));
         closers.push(stop);
         urls[name] = url;
         continue;

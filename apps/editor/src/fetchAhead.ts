@@ -10,10 +10,13 @@ const idle = (): Promise<void> =>
 
 /**
  * Fetches, once the page is idle, the code for selecting, copying, opening, dropping and saving, and the samples, which the
- * first frame does not need. A failure is ignored: the code is then fetched when needed.
+ * first frame does not need; not where the user has the browser save data. A failure is ignored: the code is then fetched when
+ * needed.
+ *
  * @returns whether everything was fetched, so that these work offline
  */
 export async function fetchAhead(): Promise<boolean> {
+  if ((navigator as { connection?: { saveData?: boolean } }).connection?.saveData) return false;
   await idle();
   try {
     await Promise.all([

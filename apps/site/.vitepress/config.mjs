@@ -1,4 +1,5 @@
 import { apiBar } from '@farol/tools/site/api/apiPages';
+import { readExamples } from '@farol/tools/site/galleryExamples';
 import { makeRelative, placeholderBase } from '@farol/tools/site/relativeBase';
 import { liveServer } from '@farol/tools/site/liveServer';
 import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
@@ -30,7 +31,10 @@ export default defineConfig(({ command }) => ({
   },
   themeConfig: {
     search: { provider: 'local', options: searchOptions },
-    translated: [...pages.keys()].filter((name) => name.startsWith('es/')),
+    translated: [
+      ...[...pages.keys()].filter((name) => name.startsWith('es/')),
+      ...readExamples().map(({ name }) => `es/gallery/${name}.md`),
+    ],
   },
   markdown: {
     theme: codeThemes,

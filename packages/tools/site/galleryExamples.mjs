@@ -67,6 +67,13 @@ export function parseExample(file, source) {
   };
 }
 
+/**
+ * Spanish texts of the gallery: tags by their English ones, and title and sentence of each example by its name.
+ *
+ * @returns {{ tags: Record<string, string>, examples: Record<string, [title: string, sentence: string]> }}
+ */
+export const readSpanish = () => JSON.parse(readFileSync(join(galleryFolder, 'es.json'), 'utf8'));
+
 /** @returns {Record<string, GalleryFigures>} by name */
 export function readFigures() {
   return existsSync(figuresFile) ? JSON.parse(readFileSync(figuresFile, 'utf8')) : {};

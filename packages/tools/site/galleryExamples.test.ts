@@ -2,7 +2,7 @@ import { existsSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { importsOf } from '../importsOf.mjs';
-import { galleryFolder, parseExample, readExamples, readFigures } from './galleryExamples.mjs';
+import { galleryFolder, parseExample, readExamples, readFigures, readSpanish } from './galleryExamples.mjs';
 import { liveFolder } from './liveServer.mjs';
 
 const examples = readExamples();
@@ -28,6 +28,18 @@ describe('the gallery', () => {
     const sizes = examples.map(({ name }) => statSync(picture(name)).size);
     expect(Math.max(...sizes)).toBeLessThanOrEqual(25_000);
     expect(sizes.reduce((sum, size) => sum + size, 0)).toBeLessThan(1_000_000);
+  });
+
+  it('has a Spanish title and sentence of each, and a word for each tag, and of no other', () => {
+    const spanish = readSpanish();
+    expect(Object.keys(spanish.examples).toSorted()).toEqual(examples.map(({ name }) => name).toSorted());
+    expect(
+      Object.values(spanish.examples).filter((texts) => texts.length !== 2 || texts.some((text) => !text)),
+    ).toEqual([]);
+    const tags = new Set(examples.flatMap((example) => example.tags));
+    expect(Object.keys(spanish.tags).toSorted()).toEqual([...tags].toSorted());
+    const codeOf = (text: string): string[] => (text.match(/`[^`]+`/g) ?? []).toSorted();
+    for (const { name, sentence } of examples) expect.soft(codeOf(spanish.examples[name][1])).toEqual(codeOf(sentence));
   });
 
   it('has figures of each, and of no other', () => {

@@ -95,6 +95,13 @@ export const openOnPhone: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'phone' }),
 };
 
+export const savePicture: Action = {
+  id: 'file.picture',
+  label: 'Save a picture…',
+  icon: 'camera',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'picture' }),
+};
+
 export const letAgentEdit: Action = {
   id: 'file.agent',
   label: 'Let an agent edit…',

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 import { type Language, languages } from '@farol/editing';
 import { showLanguage, shownLanguage } from '../language/shownLanguage';
@@ -41,6 +42,19 @@ export const guides: readonly Action[] = pages.map(([name, label, path]) => ({
   id: `help.guide.${name}`,
   label,
   run: () => void window.open(`${REPOSITORY}/${path}`, '_blank', 'noopener,noreferrer'),
+}));
+
+const apps = [
+  ['viewer', 'Viewer'],
+  ['lab', 'Lab'],
+  ['gallery', 'Gallery of examples'],
+] as const;
+
+/** One action for each other app of Farol, which opens in a new window. */
+export const otherApps: readonly Action[] = apps.map(([app, label]) => ({
+  id: `help.app.${app}`,
+  label,
+  run: async () => (await import('@farol/engine/files')).openBeside(app, t(label)),
 }));
 
 /** Shows version and licence. */

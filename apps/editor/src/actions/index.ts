@@ -32,6 +32,7 @@ import {
   open,
   openExamples,
   openOnPhone,
+  savePicture,
   recentActions,
   recover,
   save,
@@ -39,7 +40,7 @@ import {
   welcome,
 } from './file';
 import { alignToSurface, gizmoModes, gizmoPivots, gizmoSpace, snap, snapTargets } from './handles';
-import { about, chooseLanguage, guides, showKeys, showPalette, startTour } from './help';
+import { about, chooseLanguage, guides, otherApps, showKeys, showPalette, startTour } from './help';
 import { makeMaterial, newMaterial, newScript, newSurfaces, unpackModel } from './materials';
 import {
   bakeLight,
@@ -82,7 +83,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
     open: [open],
     save: [save, saveAs],
-    share: [exportScene, openOnPhone, letAgentEdit, measure],
+    share: [exportScene, savePicture, openOnPhone, letAgentEdit, measure],
     recover: [recover],
   },
   edit: {
@@ -136,6 +137,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     keys: [showPalette, showKeys],
     learn: [startTour, { submenu: 'Guides and examples', actions: guides }],
     language: [{ submenu: 'Language', actions: chooseLanguage }],
+    apps: otherApps,
     about: [about],
   },
 };

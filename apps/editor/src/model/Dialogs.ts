@@ -79,6 +79,11 @@ export interface PhoneDialog {
   readonly kind: 'phone';
 }
 
+/** Size and background of a picture that is saved. */
+export interface PictureDialog {
+  readonly kind: 'picture';
+}
+
 /** Asks whether agents may edit, and says how one is set up. */
 export interface AgentDialog {
   readonly kind: 'agent';
@@ -108,6 +113,7 @@ export type DialogRequest =
   | AboutDialog
   | ExportDialog
   | PhoneDialog
+  | PictureDialog
   | AgentDialog;
 
 /** The open dialog; one at a time. */

@@ -40,14 +40,14 @@ export const panels: readonly Panel[] = [
   {
     id: 'library',
     title: 'Library',
-    icon: 'lamp',
+    icon: 'prefab',
     place: 'bottom',
     load: () => import('./library/LibraryPanel').then(({ LibraryPanel }) => LibraryPanel),
   },
   {
     id: 'lights',
     title: 'Lights',
-    icon: 'lamp',
+    icon: 'point',
     place: 'bottom',
     load: () => import('./lights/LightsPanel').then(({ LightsPanel }) => LightsPanel),
   },

@@ -11,6 +11,7 @@ import { RunLibrary } from '../results/RunLibrary';
 import { RunStore } from '../results/RunStore';
 import { surroundingsOf } from '../results/surroundings';
 import { messageOf } from '../run/messageOf';
+import { AppLinks } from './AppLinks';
 import { Hero } from './Hero';
 import { ComparedRuns } from './results/ComparedRuns';
 import { Results } from './results/Results';
@@ -92,7 +93,7 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
   return (
     <>
       <header class="bar">
-        <p class="brand">{t('Farol Lab')}</p>
+        <AppLinks />
         <div class="bar-choices">
           <LanguageSelect onLanguage={onLanguage} onProblem={setComplaint} />
           <ThemeSelect />

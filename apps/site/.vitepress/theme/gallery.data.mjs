@@ -1,4 +1,4 @@
-import { readExamples, readFigures, readSizes } from '@farol/tools/site/galleryExamples';
+import { readExamples, readFigures, readSizes, readSpanish } from '@farol/tools/site/galleryExamples';
 
 /** Examples that the gallery begins with. */
 const first = ['night-street', 'thousand-lights', 'campfire', 'first-lamp', 'water-surface', 'ten-thousand-lights'];
@@ -9,11 +9,18 @@ export default {
   load() {
     const figures = readFigures();
     const sizes = readSizes();
+    const spanish = readSpanish();
     const place = (/** @type {{ name: string }} */ { name }) =>
       first.includes(name) ? first.indexOf(name) : first.length;
     const examples = readExamples().toSorted((a, b) => place(a) - place(b));
     return examples.map(({ name, title, sentence, tags, editor }) => ({
-      ...{ name, title, sentence, tags, editor },
+      ...{ name, tags, editor },
+      en: { title, sentence, tags },
+      es: {
+        title: spanish.examples[name][0],
+        sentence: spanish.examples[name][1],
+        tags: tags.map((tag) => spanish.tags[tag]),
+      },
       figures: figures[name] ?? null,
       size: sizes[name] ?? null,
     }));

@@ -16,9 +16,11 @@ export const pictureOf = (name: string): string | undefined =>
   pictures[`../../live/assets/stills/gallery/${name}.webp`];
 
 /** Agreement with stock three in a few words: '74.2 dB', 'equal'. */
-export function agreementOf(figures: Figures | null): string {
-  if (figures === null) return 'not compared';
-  return figures.psnr === null ? 'equal to three' : `${figures.psnr.toFixed(1)} dB to three`;
+export function agreementOf(figures: Figures | null, language: 'en' | 'es'): string {
+  const isSpanish = language === 'es';
+  if (figures === null) return isSpanish ? 'sin comparar' : 'not compared';
+  if (figures.psnr === null) return isSpanish ? 'igual que three' : 'equal to three';
+  return `${figures.psnr.toFixed(1)} dB ${isSpanish ? 'respecto a three' : 'to three'}`;
 }
 
 /** Bytes in kB (1,000 bytes). */

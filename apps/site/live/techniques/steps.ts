@@ -93,7 +93,7 @@ controls.maxDistance = 24;
 controls.update();
 
 const panel = document.createElement('div');
-panel.className = 'panel';
+panel.className = 'panel below';
 const help = document.createElement('span');
 help.setAttribute('aria-live', 'polite');
 document.body.append(panel);
@@ -133,12 +133,15 @@ passes.className = 'passes';
 panel.append(passes);
 
 function resize(): void {
-  camera.aspect = innerWidth / innerHeight;
+  // on a phone the panel lies below the picture
+  const height = Math.max(1, innerHeight - (innerWidth < 480 ? panel.offsetHeight : 0));
+  camera.aspect = innerWidth / height;
   camera.updateProjectionMatrix();
   farol.setPixelRatio(Math.min(devicePixelRatio, 2));
-  farol.setSize(innerWidth, innerHeight);
+  farol.setSize(innerWidth, height);
 }
 addEventListener('resize', resize);
+new ResizeObserver(resize).observe(panel);
 resize();
 
 /** Writes the passes of the last frame, with their draws. */

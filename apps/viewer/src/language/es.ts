@@ -7,6 +7,12 @@ const shared: Texts = {
   'The texts of this language could not be loaded: is the server there?':
     'No se pudieron cargar los textos de este idioma: ¿está el servidor?',
   Space: 'Espacio',
+  Evening: 'Atardecer',
+  'A low sun that throws shadows, a sky at sunset and tone mapping, in place of even light.':
+    'Un sol bajo que proyecta sombras, un cielo al atardecer y mapeo de tonos, en vez de luz uniforme.',
+  Editor: 'Editor',
+  Lab: 'Lab',
+  'Gallery of examples': 'Galería de ejemplos',
   Help: 'Ayuda',
   Close: 'Cerrar',
   'Examples for your own page': 'Ejemplos para una página propia',

@@ -1,6 +1,7 @@
 import { type Language, labelOfField, languages, t, textLanguage } from '@farol/editing';
 import { scenes } from '@farol/scenes';
 import { type Field, type FieldValue, isFieldVisible } from '@farol/engine/fields';
+import { openBeside } from '@farol/engine/files';
 import { techniques } from '@farol/renderer';
 import GUI, { type Controller } from 'lil-gui';
 import { chooseFiles } from '../chooseFiles';
@@ -144,6 +145,16 @@ export class ViewerMenu {
     this.parameters = gui.addFolder(t('Lights and sizes'));
     const figures = gui.addFolder(t('Last frame'));
     figures.$children.append(this.statistics.element);
+    const apps = gui.addFolder('Farol').close();
+    for (const [app, label] of [
+      ['editor', t('Editor')],
+      ['lab', t('Lab')],
+      ['gallery', t('Gallery of examples')],
+    ]) {
+      const open = (): void =>
+        void openBeside(app, label).catch(({ message }: Error) => viewer.messages.show('app', message));
+      apps.add({ open }, 'open').name(label);
+    }
 
     // an open menu would cover most of a phone's picture, whichever way round it is held
     if (innerWidth < 600 || (innerHeight < 600 && matchMedia('(pointer: coarse)').matches)) gui.close();

@@ -1,6 +1,7 @@
 /** Languages of the apps, each with its own name for itself. */
 export const languages = { en: 'English', es: 'Español' } as const;
 
+/** Code of a language of the apps. */
 export type Language = keyof typeof languages;
 
 const isLanguage = (name: unknown): name is Language => typeof name === 'string' && Object.hasOwn(languages, name);

@@ -6,7 +6,7 @@ import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { Scene } from '../core/Scene';
 import { lightOfKelvin } from '../photometry/colourTemperature';
-import type { SkyDirection } from '../settings/sky/dayLook';
+import type { SkyDirection } from '../settings/sky/daySky';
 import { Light } from './Light';
 import { sunShadows } from './newShadows';
 

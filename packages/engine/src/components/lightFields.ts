@@ -128,19 +128,19 @@ export const lightFields = {
   ambient: colour([0, 0, 0], {
     help: 'Light added to every surface in reach, whichever way it faces.',
     label: 'Ambient colour',
-    group: 'More colours',
+    group: 'Ambient and highlights',
     ...withDirectColour,
   }),
   ownSpecular: boolean(false, {
     help: 'Give highlights a colour of their own.',
     label: 'Own highlight colour',
-    group: 'More colours',
+    group: 'Ambient and highlights',
     ...withDirectColour,
   }),
   specular: colour([1, 1, 1], {
     help: 'Colour of highlights.',
     label: 'Highlight colour',
-    group: 'More colours',
+    group: 'Ambient and highlights',
     visibleWhen: { field: 'ownSpecular', equals: [true] },
   }),
   cutoff: angle(Math.PI / 6, {

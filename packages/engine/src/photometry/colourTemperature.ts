@@ -1,7 +1,8 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 
-/** Lowest and highest colour temperature that there is a colour for (K). */
+/** Lowest colour temperature that there is a colour for (K). */
 export const LOWEST_KELVIN = 1000;
+/** Highest colour temperature that there is a colour for (K). */
 export const HIGHEST_KELVIN = 25000;
 
 /** Share of red, green and blue in luminance, for linear sRGB (IEC 61966-2-1). */

@@ -1,5 +1,6 @@
 /** Kinds of lamps whose electric power can stand for their light. */
 export const lampKinds = ['incandescent', 'halogen', 'fluorescent', 'led'] as const;
+/** One of `lampKinds`. */
 export type LampKind = (typeof lampKinds)[number];
 
 /**

@@ -3,6 +3,7 @@ import { type LampKind, lampEfficacies } from './lampKinds';
 
 /** Units of a light's intensity. */
 export const intensityUnits = ['candela', 'lumen', 'lux', 'nits', 'watt'] as const;
+/** One of `intensityUnits`. */
 export type IntensityUnit = (typeof intensityUnits)[number];
 
 /** Names of the units with their symbols. */

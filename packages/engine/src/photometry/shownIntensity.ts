@@ -28,6 +28,7 @@ export interface ShownIntensity {
   readonly factor: number;
 }
 
+/** Intensity of a light in the unit that it was given in. */
 export function shownIntensity(light: MeasuredLight): ShownIntensity {
   const unit = shownUnit(light);
   const factor = unitFactor(light, unit);

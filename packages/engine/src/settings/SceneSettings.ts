@@ -5,7 +5,7 @@ import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, FieldOwner } from '../fields/FieldOwner';
 import { bakeFields } from './bakeFields';
 import { fogFields, pictureFields, skyFields } from './pictureFields';
-import type { DaySky } from './sky/dayLook';
+import type { DaySky } from './sky/daySky';
 import type { Sky } from './sky/makeSky';
 import { SkySource } from './sky/SkySource';
 

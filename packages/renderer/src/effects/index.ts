@@ -122,7 +122,7 @@ export const effects = {
     short: 'fog',
     stillFrames: 64,
     fields: {
-      litFogDensity: {
+      volumetricDensity: {
         kind: 'number',
         property: 'density',
         default: 0.03,
@@ -133,14 +133,14 @@ export const effects = {
         help: 'Share of light that is lost on a metre, for small values.',
         label: 'Fog density',
       },
-      litFogColour: {
+      volumetricColour: {
         kind: 'colour',
         property: 'albedo',
         default: [1, 1, 1],
         help: 'Share of light that the fog scatters; the rest is absorbed.',
         label: 'Fog scattering',
       },
-      fogAnisotropy: {
+      volumetricAnisotropy: {
         kind: 'number',
         property: 'anisotropy',
         default: 0.3,
@@ -150,7 +150,7 @@ export const effects = {
         help: 'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.',
         label: 'Fog anisotropy',
       },
-      fogHeight: {
+      volumetricHeight: {
         kind: 'number',
         property: 'height',
         default: 0,
@@ -161,7 +161,7 @@ export const effects = {
         help: 'Height up to which the fog has its density.',
         label: 'Fog height',
       },
-      fogFalloff: {
+      volumetricFalloff: {
         kind: 'number',
         property: 'falloff',
         default: 0,
@@ -172,7 +172,7 @@ export const effects = {
         help: 'Rise above the height over which density falls to about a third; 0: it does not fall.',
         label: 'Fog falloff',
       },
-      fogNoise: {
+      volumetricNoise: {
         kind: 'number',
         property: 'noise',
         default: 0,
@@ -182,7 +182,7 @@ export const effects = {
         help: 'How much drifting clouds vary the density.',
         label: 'Fog noise',
       },
-      fogNoiseSize: {
+      volumetricNoiseSize: {
         kind: 'number',
         property: 'noiseSize',
         default: 4,
@@ -193,7 +193,7 @@ export const effects = {
         help: 'Size of the clouds.',
         label: 'Fog noise size',
       },
-      fogDistance: {
+      volumetricDistance: {
         kind: 'number',
         property: 'distance',
         default: 100,

@@ -309,7 +309,7 @@ export const components: Texts = {
   'The model whose clips it plays.': 'El modelo cuyos clips reproduce.',
   'Shadow softness': 'Sombra suave',
   'How far the edges of shadows are blurred.': 'Cuánto se difuminan los bordes de las sombras.',
-  'More colours': 'Más colores',
+  'Ambient and highlights': 'Ambiente y brillos',
   Fading: 'Atenuación',
   Shadow: 'Sombra',
   'At the start': 'Al comienzo',

@@ -293,6 +293,9 @@ export const panels: Texts = {
   'New material': 'Nuevo material',
   'New folder…': 'Nueva carpeta…',
   Open: 'Abrir',
+  Viewer: 'Visor',
+  Lab: 'Lab',
+  'Gallery of examples': 'Galería de ejemplos',
   'About Farol': 'Acerca de Farol',
   'An editor of three.js scenes with very many lights, drawn by {techniques} techniques.':
     'Un editor de escenas de three.js con muchísimas luces, dibujadas con {techniques} técnicas.',

@@ -172,4 +172,16 @@ export const picture: Texts = {
   'Direction of the sun on the compass, from +x towards +z.': 'Dirección del sol en la brújula, de +x hacia +z.',
   'Sun elevation': 'Altura del sol',
   'How high the sun stands above the horizon.': 'A qué altura está el sol sobre el horizonte.',
+  'Save a picture…': 'Guardar una imagen…',
+  'Save a picture': 'Guardar una imagen',
+  'The scene as it is seen now, without grid, icons and handles, as a PNG.':
+    'La escena como se ve ahora, sin rejilla, iconos ni asas, como PNG.',
+  'As shown': 'Como se ve',
+  'Without background': 'Sin fondo',
+  'With bloom, depth of field, vignette or automatic exposure at most {count} pixels a side.':
+    'Con resplandor, profundidad de campo, viñeta o exposición automática, {count} píxeles por lado como máximo.',
+  'Drawing the picture': 'Dibujando la imagen',
+  'Saved {fileName}': 'Se guardó {fileName}',
+  'The graphics device was lost while the picture was drawn: save it again.':
+    'El dispositivo gráfico se perdió mientras se dibujaba la imagen: guárdela otra vez.',
 };

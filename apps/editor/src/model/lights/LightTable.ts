@@ -109,7 +109,7 @@ export class LightTable {
       document.sceneChanged.subscribe((change) => this.follow(change)),
       commands.changed.subscribe(() => this.stale !== 'no' && this.tell('order')),
       selection.changed.subscribe(() => this.tell(this.filter.isSelected ? 'order' : 'no')),
-      simulation.changed.subscribe(() => simulation.isPlaying && this.endSolo()),
+      simulation.changed.subscribe(() => simulation.state !== 'stopped' && this.endSolo()),
     ];
     this.tell('lights');
     return () => {

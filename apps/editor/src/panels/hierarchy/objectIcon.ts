@@ -5,6 +5,7 @@ import {
   FogVolume,
   type GameObject,
   Light,
+  LightGroup,
   ModelRenderer,
   ObjectRenderer,
   Room,
@@ -18,6 +19,7 @@ export function objectIcon(object: GameObject): IconName {
   if (isInstanceRoot(object)) return 'prefab';
   const light = object.getComponent(Light);
   if (light) return light.type;
+  if (object.getComponent(LightGroup)) return 'sliders';
   if (object.getComponent(Camera)) return 'camera';
   if (object.getComponent(Room)) return 'room';
   if (object.getComponent(Wall)) return 'wall';

@@ -111,6 +111,8 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
     event.stopPropagation();
   };
 
+  const items = virtualizer.getVirtualItems();
+  const isActiveShown = active !== null && items.some(({ index }) => index === at);
   return (
     <div
       ref={grid}
@@ -120,7 +122,7 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
       aria-label={t('Lights')}
       aria-multiselectable="true"
       aria-rowcount={rows.length + 1}
-      aria-activedescendant={rows.length > 0 && active !== null ? idOf(rows[at]) : undefined}
+      aria-activedescendant={isActiveShown ? idOf(rows[at]) : undefined}
       onKeyDown={press}
     >
       <div className="lights-row lights-titles" role="row" aria-rowindex={1} style={{ height: TITLES }}>
@@ -141,7 +143,7 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
         })}
       </div>
       <div className="lights-rows" role="rowgroup" style={{ height: virtualizer.getTotalSize() }}>
-        {virtualizer.getVirtualItems().map(({ index, start }) => {
+        {items.map(({ index, start }) => {
           const row = rows[index];
           return (
             <LightRowView

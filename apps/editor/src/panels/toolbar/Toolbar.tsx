@@ -3,11 +3,11 @@ import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
 import { duplicate, redo, remove, undo } from '../../actions/edit';
 import { open, save } from '../../actions/file';
-import { showKeys } from '../../actions/help';
+import { otherApps, showKeys } from '../../actions/help';
+import { labelOf } from '../../api/Action';
 import { pause, play, step, stop } from '../../actions/play';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
 import { LateSelectBox as SelectBox } from '../../ui/LateSelectBox';
 import { useMedia } from '../../ui/useMedia';
@@ -29,10 +29,17 @@ export function Toolbar(): ReactNode {
   return (
     <header className="toolbar">
       <div className="toolbar-part">
-        <span className="brand">
-          <Icon name="lamp" size={18} />
-          Farol
-        </span>
+        <MenuButton
+          label="Farol"
+          icon="lamp"
+          className="button brand"
+          entries={() =>
+            otherApps.map((action) => ({
+              label: labelOf(action, editor),
+              run: () => editor.attempt(() => action.run(editor)),
+            }))
+          }
+        />
         <MenuBar />
         <div className="button-group" role="toolbar" aria-label={t('File and history')}>
           <span className="toolbar-extra narrow">

@@ -2,6 +2,10 @@ import type { Texts } from '@farol/editing';
 
 /** Spanish texts of the page: device, builder, progress, words of cases and competitors. */
 export const page: Texts = {
+  Editor: 'Editor',
+  Viewer: 'Visor',
+  'Gallery of examples': 'Galería de ejemplos',
+  'Other pages of Farol': 'Otras páginas de Farol',
   Graphics: 'Gráficos',
   Browser: 'Navegador',
   'GPU time': 'tiempo de GPU',

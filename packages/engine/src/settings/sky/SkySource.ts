@@ -1,7 +1,7 @@
 import type { ValuesOf } from '@farol/editing/fields';
 import { LateCode } from '../../base/LateCode';
 import { type skyFields, skiesWithSun, type SkyPreset } from '../pictureFields';
-import type { DaySky } from './dayLook';
+import { type DaySky, MOONRISE, NIGHT } from './daySky';
 import type { Sky, SunPlace } from './makeSky';
 
 type SkySettings = Readonly<ValuesOf<typeof skyFields>>;
@@ -49,14 +49,17 @@ export class SkySource {
   }
 }
 
-/** A quarter of a degree, in which the sun's motion is not seen in a sky. */
-const quarters = (angle: number): number => Math.round((angle * 720) / Math.PI);
+const stepsOf = (angle: number, degrees: number): number => Math.round((angle * 180) / Math.PI / degrees);
 
-const keyOfDay = ({ sun, moon, lit }: DaySky): string =>
-  [
-    ...['day', quarters(sun.azimuth), quarters(sun.elevation)],
-    ...[quarters(moon.azimuth), quarters(moon.elevation), lit.toFixed(2)],
-  ].join(' ');
+/**
+ * Steps in which a sky of a day is painted anew: a quarter of a degree of the sun; at night a degree of the moon, since stars
+ * take longer to paint.
+ */
+function keyOfDay({ sun, moon, lit }: DaySky): string {
+  if (sun.elevation > NIGHT) return ['day', stepsOf(sun.azimuth, 0.25), stepsOf(sun.elevation, 0.25)].join(' ');
+  const moonKey = moon.elevation < MOONRISE ? 'down' : [moon.azimuth, moon.elevation].map((each) => stepsOf(each, 1));
+  return ['night', stepsOf(Math.max(sun.elevation, -0.3), 0.5), moonKey, lit.toFixed(2)].join(' ');
+}
 
 function keyOf(settings: SkySettings): string {
   const { background, sky, skyTop, skyHorizon, skyGround } = settings;

@@ -1,6 +1,8 @@
 import { expect, test } from 'vitest';
+import { Scene } from '../../core/Scene';
 import { dayLook } from './dayLook';
 import { makeDaySky } from './makeSky';
+import { SkySource } from './SkySource';
 import { skyLooks } from './skyLooks';
 
 const RADIANS = Math.PI / 180;
@@ -46,4 +48,28 @@ test('the light of a sky on level ground is the integral of its picture', () => 
   // an evenly bright sky of luminance L gives π L
   expect(sky.irradiance! / Math.PI).toBeGreaterThan(0.02);
   expect(sky.irradiance! / Math.PI).toBeLessThan(0.3);
+});
+
+test('a sky is painted anew only where a change of sun or moon is seen', () => {
+  const source = new SkySource(() => {});
+  const settings = new Scene().settings;
+  const paintedFor = (sun: number, moon: number): unknown =>
+    source.of(settings, {
+      sun: { azimuth: 1, elevation: sun * RADIANS },
+      moon: { azimuth: 2, elevation: moon * RADIANS },
+      lit: 0.5,
+      illuminance: null,
+    });
+  paintedFor(30, 10);
+  return source.ready!.then(() => {
+    const day = paintedFor(30, 10);
+    expect(paintedFor(30.05, 50)).toBe(day);
+    expect(paintedFor(30.5, 50)).not.toBe(day);
+    const night = paintedFor(-40, 10);
+    expect(paintedFor(-41, 10.2)).toBe(night);
+    expect(paintedFor(-41, 12)).not.toBe(night);
+    const moonless = paintedFor(-40, -10);
+    expect(paintedFor(-41, -20)).toBe(moonless);
+    source.dispose();
+  });
 });

@@ -1,21 +1,6 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
+import { type DaySky, MOONRISE, NIGHT, type SkyDirection } from './daySky';
 import { type SkyDisc, type SkyLook, skyLooks } from './skyLooks';
-
-/** A direction in the sky (rad): azimuth from +x to +z, elevation above the horizon. */
-export interface SkyDirection {
-  readonly azimuth: number;
-  readonly elevation: number;
-}
-
-/** Sun and moon of a sky without clouds. */
-export interface DaySky {
-  readonly sun: SkyDirection;
-  readonly moon: SkyDirection;
-  /** Part of the moon's disc that is lit. */
-  readonly lit: number;
-  /** Illuminance of level ground by the sky (lx), without sun and moon; null leaves the brightness that suits a screen. */
-  readonly illuminance: number | null;
-}
 
 const RADIANS = Math.PI / 180;
 const { night, sunset } = skyLooks;
@@ -74,14 +59,14 @@ function sunDisc(sun: SkyDirection): SkyDisc {
 /** Look of a sky without clouds, with the sun or, once that has set, the moon. */
 export function dayLook({ sun, moon, lit }: DaySky): SkyLook {
   const degrees = sun.elevation / RADIANS;
-  const isNight = degrees < -8;
+  const isNight = sun.elevation <= NIGHT;
   const moonDisc = night.disc!;
   const shine = {
     colour: scale(moonDisc.colour, lit),
     glow: scale(moonDisc.glow, lit),
     haze: scale(moonDisc.haze, lit),
   };
-  const hasMoon = isNight && moon.elevation > -0.02;
+  const hasMoon = isNight && moon.elevation >= MOONRISE;
   return {
     ...coloursAt(degrees),
     disc: hasMoon ? { ...moonDisc, ...moon, ...shine } : isNight ? null : sunDisc(sun),

@@ -9,7 +9,8 @@ import {
   RGBAFormat,
 } from 'three';
 import type { SkyPreset } from '../pictureFields';
-import { type DaySky, dayLook } from './dayLook';
+import { dayLook } from './dayLook';
+import type { DaySky } from './daySky';
 import { paintSky } from './paintSky';
 import { type SkyLook, skyLooks } from './skyLooks';
 

@@ -12,8 +12,10 @@ const nothing = new RawShaderMaterial({
 nothing.allowOverride = false;
 const box = new BoxGeometry();
 
+/** Shapes of a fog volume: a cube, or the ball in it. */
 export const fogShapes = ['box', 'sphere'] as const;
 
+/** One of `fogShapes`. */
 export type FogShape = (typeof fogShapes)[number];
 
 /**
