@@ -1,57 +1,57 @@
 /** Examples of the API's pages: each runs here, and is shown with its result as a comment. */
-import { firstLanguage, languages } from '@farol/editing';
 import { GameObject, Light, sunShadows } from '@farol/engine';
 import {
-  chromaticityOf,
+  colourOfKelvin,
   evOfCamera,
+  evOfIlluminance,
+  evOfLuminance,
   exposureOfEV,
-  HIGHEST_KELVIN,
-  intensityUnits,
+  formatIntensity,
   lampEfficacies,
   lampKinds,
   lightOfKelvin,
-  LOWEST_KELVIN,
-  luminanceOf,
+  lightPresets,
   shownIntensity,
-  solidAngleOf,
+  shownUnit,
+  unitFactor,
   unitLabels,
-  unitOfThree,
-  unitSymbols,
+  unitsFor,
+  valuesOfPreset,
 } from '@farol/engine/photometry';
-import { fogQualities, fogShapes } from '@farol/renderer/volumetric-fog';
 import { expect, test } from 'vitest';
 
-test('colour temperatures and exposure', () => {
-  expect(luminanceOf(lightOfKelvin(2700))).toBeCloseTo(1);
-  expect(chromaticityOf(6504)[0]).toBeCloseTo(0.31);
-  expect(LOWEST_KELVIN).toBe(1000);
-  expect(HIGHEST_KELVIN).toBe(25000);
-  const ev = evOfCamera(16, 1 / 125, 100); // f/16, 1/125 s, ISO 100
-  expect(ev).toBeCloseTo(14.966);
-  expect(exposureOfEV(0)).toBeCloseTo(0.833);
+test('lights in their units', () => {
+  const light = new GameObject('Bulb').addComponent(Light, { intensity: 10, lamp: 'halogen' });
+  expect(unitsFor(light)).toEqual(['candela', 'lumen', 'lux', 'watt']);
+  expect(unitFactor(light, 'lumen')).toBe(4 * Math.PI);
+  expect(shownUnit(light)).toBe('candela');
+  light.intensityUnit = 'watt';
+  expect(formatIntensity(light)).toBe('6.283 W');
+  const { symbol, factor } = shownIntensity(light);
+  expect([symbol, factor]).toEqual(['W', (4 * Math.PI) / lampEfficacies.halogen]);
+  expect(unitLabels.watt).toBe('Watt (W)');
+  expect(lampKinds).toEqual(['incandescent', 'halogen', 'fluorescent', 'led']);
 });
 
-test('units of light', () => {
-  expect(unitOfThree('spot')).toBe('candela');
-  expect(unitSymbols.lumen).toBe('lm');
-  expect(unitLabels.lumen).toBe('Lumen (lm)');
-  expect(intensityUnits).toContain('nits');
-  expect(lampKinds).toContain('led');
-  expect(lampEfficacies.led).toBe(100);
-
-  const lamp = new GameObject('Lamp').addComponent(Light, { type: 'point', intensity: 5 });
-  expect(solidAngleOf(lamp)).toBe(4 * Math.PI);
-  expect(shownIntensity(lamp).symbol).toBe('cd');
+test('presets', () => {
+  const light = new GameObject('Candle').addComponent(Light);
+  const values = valuesOfPreset(lightPresets.candle, light);
+  for (const [name, value] of Object.entries(values)) light.set(name, value);
+  expect(formatIntensity(light)).toBe('1 cd');
 });
 
-test('suns and fog', () => {
-  const sun = new GameObject('Sun');
-  sun.addComponent(Light, { type: 'directional', castShadow: true, ...sunShadows(20) });
-  expect(fogShapes).toContain('sphere');
-  expect(fogQualities.low).toEqual([96, 54, 32]);
+test('colours and exposure', () => {
+  const [red, green, blue] = colourOfKelvin(2700);
+  expect([red, green > 0.41, blue < 0.1]).toEqual([1, true, true]);
+  expect(Math.max(...lightOfKelvin(2700))).toBeGreaterThan(1);
+  expect(evOfLuminance(4096)).toBe(15);
+  expect(evOfIlluminance(81_920)).toBe(15);
+  const ev = evOfCamera(16, 1 / 128, 100);
+  expect(ev).toBe(15);
+  expect(exposureOfEV(0)).toBe(1 / 1.2);
 });
 
-test('languages', () => {
-  expect(firstLanguage(null, ['es-MX', 'en'])).toBe('es');
-  expect(languages.es).toBe('Español');
+test('shadows of a sun', () => {
+  const sun = new GameObject('Sun').addComponent(Light, { type: 'directional', ...sunShadows(50) });
+  expect(sun.shadowExtent).toBe(50);
 });

@@ -83,7 +83,7 @@ async function drawItem([id, group, size, quality]) {
   const wide = 40 * radius;
   if (group !== 'material' && !isSky)
     await addBox([0, centre.y, isOnWall ? -0.051 : box.min.z - 1.2 * radius - 0.05], [wide, wide, 0.1]);
-  if (!isOnWall && group !== 'material')
+  if (!isOnWall && group !== 'material' && id !== 'ground')
     await addBox([0, (isHung ? box.min.y - radius : 0) - 0.051, 0], [wide, 0.1, wide]);
   editor.document.selection.set([]);
   const fov = 0.45;

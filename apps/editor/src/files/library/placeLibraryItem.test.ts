@@ -119,6 +119,13 @@ test('a sky turns the sun into its own and switches off what stood for a sky; a 
   await placeLibraryItem(editor, 'moonlit-night');
   expect([scene.settings.background, scene.settings.sky, fill.enabled]).toEqual(['sky', 'night', false]);
   expect([sun.castShadow, sun.intensity < 0.5, sun.direction.y < -0.4]).toEqual([true, true, true]);
+  for (const sky of ['clear-day', 'sunset', 'studio']) {
+    await placeLibraryItem(editor, sky);
+    commands.undo();
+  }
+  await placeLibraryItem(editor, 'foggy-night');
+  expect(scene.settings.volumetricFog).toBe(true);
+  commands.undo();
   await placeLibraryItem(editor, 'overcast');
   expect([sun.enabled, scene.settings.sky]).toEqual([false, 'overcast']);
   expect(commands.history).toEqual(['Changed the sky to Moonlit night', 'Changed the sky to Overcast']);

@@ -161,6 +161,7 @@ export const library: Texts = {
   'Call {method}': 'Llamar a {method}',
   Skies: 'Cielos',
   'Moonlit night': 'Noche de luna',
+  'Foggy night': 'Noche de niebla',
   Night: 'Noche',
   'Changed the sky to {name}': 'Cambiar el cielo a {name}',
   'Drop {name} on an object with a mesh, or select one first.':

@@ -45,6 +45,7 @@ export const libraryNames = {
     overcast: 'Overcast',
     sunset: 'Sunset',
     'moonlit-night': 'Moonlit night',
+    'foggy-night': 'Foggy night',
     studio: 'Studio',
   },
 } as const;

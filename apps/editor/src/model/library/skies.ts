@@ -20,26 +20,36 @@ const direction = (elevation: number, azimuth = -115): Vector3Tuple => {
   return [Math.cos(height) * Math.cos(side), Math.sin(height), Math.cos(height) * Math.sin(side)];
 };
 
+/** Settings that all skies share: no fog is left of another one. */
+const plain = { background: 'sky', skyLight: true, volumetricFog: false };
+
 /** Sky settings and light of each sky. */
 export const skies: Readonly<Record<keyof typeof libraryNames.sky, LibrarySky>> = {
   'clear-day': {
-    settings: { background: 'sky', sky: 'clear-day', skyLight: true, environmentIntensity: 0.8 },
+    settings: { ...plain, sky: 'clear-day', environmentIntensity: 0.8 },
     sun: { from: direction(38), values: { ...soft, ...kelvin(5600), intensity: 3, shadowRadius: 2 } },
   },
   overcast: {
-    settings: { background: 'sky', sky: 'overcast', skyLight: true, environmentIntensity: 1 },
+    settings: { ...plain, sky: 'overcast', environmentIntensity: 1 },
     sun: null,
   },
   sunset: {
-    settings: { background: 'sky', sky: 'sunset', skyLight: true, environmentIntensity: 0.8 },
+    settings: { ...plain, sky: 'sunset', environmentIntensity: 0.8 },
     sun: { from: direction(4), values: { ...soft, ...kelvin(2300), intensity: 2, shadowRadius: 3 } },
   },
   'moonlit-night': {
-    settings: { background: 'sky', sky: 'night', skyLight: true, environmentIntensity: 1 },
+    settings: { ...plain, sky: 'night', environmentIntensity: 1 },
     sun: { from: direction(30), values: { ...soft, ...kelvin(9000), intensity: 0.25, shadowRadius: 4 } },
   },
+  'foggy-night': {
+    settings: {
+      ...{ ...plain, sky: 'night', environmentIntensity: 0.6, volumetricFog: true },
+      ...{ litFogDensity: 0.04, fogAnisotropy: 0.4, fogHeight: 2, fogFalloff: 4, fogNoise: 0.3 },
+    },
+    sun: { from: direction(30), values: { ...soft, ...kelvin(9000), intensity: 0.15, shadowRadius: 4 } },
+  },
   studio: {
-    settings: { background: 'sky', sky: 'studio', skyLight: true, environmentIntensity: 1 },
+    settings: { ...plain, sky: 'studio', environmentIntensity: 1 },
     sun: null,
   },
 };

@@ -40,5 +40,6 @@ export const libraryTags = {
   overcast: ['Sky', 'Outdoors'],
   sunset: ['Sky', 'Outdoors'],
   'moonlit-night': ['Sky', 'Outdoors', 'Night'],
+  'foggy-night': ['Sky', 'Outdoors', 'Night'],
   studio: ['Sky', 'Stage'],
 } as const satisfies Readonly<Record<LibraryId, readonly string[]>>;

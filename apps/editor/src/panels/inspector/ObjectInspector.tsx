@@ -129,10 +129,10 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
           />
         </div>
         {isOne && first.prefabLink && <PrefabBar object={first} />}
-        <TagsField objects={objects} />
         {groups.map((components) => (
           <ComponentSection key={components.map(keyOf).join()} components={components} />
         ))}
+        <TagsField objects={objects} />
       </div>
       <div className="add-component">
         <SearchMenu label={t('Add component')} icon="add" className="button wide" items={items} onChoose={add} />
