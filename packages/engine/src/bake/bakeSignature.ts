@@ -1,3 +1,6 @@
+import type { FieldValue } from '@farol/editing/fields';
+import { Light } from '../components/Light';
+import { LightGroup } from '../components/LightGroup';
 import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import { skyFields } from '../settings/pictureFields';
@@ -7,8 +10,24 @@ import { type BakeSources, bakeSources } from './bakeSources';
 const without: Readonly<Record<string, readonly string[]>> = {
   ObjectRenderer: ['receiveShadow'],
   ModelRenderer: ['receiveShadow', 'animation', 'animationSpeed'],
-  Light: ['shadowMapSize', 'shadowRadius', 'shadowBias', 'shadowNormalBias', 'shadowExtent'],
+  Light: [
+    ...['shadowMapSize', 'shadowRadius', 'shadowBias', 'shadowNormalBias', 'shadowExtent'],
+    ...['intensityUnit', 'lamp', 'group'],
+  ],
 };
+
+/** Fields of a Light that older bakes did not know: left out where it does not use them, so that those bakes stay valid. */
+function withoutUnused(light: Light, values: Record<string, FieldValue>): void {
+  if (light.colourBy === 'temperature') return;
+  delete values.colourBy;
+  delete values.kelvin;
+}
+
+/** Master of a light's group; '' for none. */
+function masterOf({ group, scene }: Light): string {
+  const master = group === null ? null : scene?.findById(group)?.getComponent(LightGroup);
+  return master ? JSON.stringify([master.isActive, master.authoredValues()]) : '';
+}
 
 /** A number as text, alike for those that differ by rounding. */
 const rounded = (value: number): string => (Math.abs(value) < 5e-6 ? '0' : value.toFixed(5));
@@ -30,10 +49,11 @@ export function bakeSignature(scene: Scene, sources: BakeSources = bakeSources(s
   const texts = components.map((component) => {
     const values = component.authoredValues();
     for (const name of without[component.typeName] ?? []) delete values[name];
+    if (component instanceof Light) withoutUnused(component, values);
     if (typeof values.material === 'string') materials.add(values.material);
     const shapes = component.gameObject.components.filter((each) => each.enabled && 'shapeGeometry' in each);
     const shape = shapes.map((each) => JSON.stringify(each.authoredValues())).join('');
-    return `${component.id} ${placeOf(component.gameObject)} ${JSON.stringify(values)}${shape}`;
+    return `${component.id} ${placeOf(component.gameObject)} ${JSON.stringify(values)}${shape}${component instanceof Light ? masterOf(component) : ''}`;
   });
   for (const name of materials)
     texts.push(`${name} ${JSON.stringify(assets.materialAsset(name)?.changedValues() ?? null)}`);

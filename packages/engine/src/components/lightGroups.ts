@@ -77,10 +77,12 @@ export class LightGroups {
     return this.alone !== null && !this.alone.has(id);
   }
 
-  /** Shows some lights alone; all when null. */
-  showAlone(ids: ReadonlySet<string> | null): void {
+  /** Shows some lights alone; all when null. @returns those that were alone before */
+  showAlone(ids: ReadonlySet<string> | null): ReadonlySet<string> | null {
+    const before = this.alone;
     this.alone = ids;
     for (const light of this.lights) light.followSolo();
+    return before;
   }
 
   private leave(light: LightSource): void {
@@ -103,7 +105,8 @@ export function tintLight(light: ThreeLight, colour: Vector3Tuple): void {
  * Shows some lights of a scene without the others, for editors: neither an edit nor saved. Sky, environment and baked
  * light stay.
  * @param ids - ids of Lights and ParticleEmitters; null shows all again
+ * @returns the ids until now
  */
-export function soloLights(scene: Scene, ids: ReadonlySet<string> | null): void {
-  LightGroups.of(scene).showAlone(ids);
+export function soloLights(scene: Scene, ids: ReadonlySet<string> | null): ReadonlySet<string> | null {
+  return LightGroups.of(scene).showAlone(ids);
 }

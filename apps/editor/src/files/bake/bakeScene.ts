@@ -1,5 +1,5 @@
 import type { BakedProbes, BakeProgress, TraceOptions } from '@farol/bake';
-import type { Scene } from '@farol/engine';
+import { type Scene, soloLights } from '@farol/engine';
 import {
   type BakeData,
   type BakeMesh,
@@ -73,6 +73,7 @@ export async function bakeScene(
   const onWarning = (sentence: string): void => void (/ gets no lightmap: /.test(sentence) || warned(sentence));
   const shared = { ...traceOptions(scene, sources), signal, onWarning };
   const endSizes = sizeLights(sources);
+  const alone = soloLights(scene, null);
   try {
     const box = settings.bakeProbes ? probeBox(sources.meshes, settings.bakeProbeSpacing) : null;
     const bake = await baker.bakeLightmaps(webgl, scene.three, {
@@ -112,6 +113,7 @@ export async function bakeScene(
       probes: box && bake.probes ? probesOf(box, bake.probes) : null,
     };
   } finally {
+    soloLights(scene, alone);
     endSizes();
   }
 }

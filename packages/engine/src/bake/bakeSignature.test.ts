@@ -1,0 +1,32 @@
+import { expect, test } from 'vitest';
+import '../components';
+import { Light } from '../components/Light';
+import { LightGroup } from '../components/LightGroup';
+import { ObjectRenderer } from '../components/ObjectRenderer';
+import { GameObject } from '../core/GameObject';
+import { Scene } from '../core/Scene';
+import { bakeSignature } from './bakeSignature';
+
+test('goes by what lights of the bake: a group’s master, but not the unit that an intensity is shown in', () => {
+  const scene = new Scene();
+  const floor = new GameObject('Floor');
+  floor.isStatic = true;
+  scene.add(floor);
+  floor.addComponent(ObjectRenderer, { mesh: 'plane' });
+  const lamp = new GameObject('Lamp');
+  scene.add(lamp);
+  const light = lamp.addComponent(Light, { mode: 'baked' });
+  const before = bakeSignature(scene);
+  Object.assign(light, { intensityUnit: 'lumen', lamp: 'halogen', kelvin: 2700 });
+  expect(bakeSignature(scene)).toBe(before);
+  light.colourBy = 'temperature';
+  expect(bakeSignature(scene)).not.toBe(before);
+  light.colourBy = 'hand';
+  const desk = new GameObject('Desk');
+  scene.add(desk);
+  const group = desk.addComponent(LightGroup);
+  light.group = desk.id;
+  const grouped = bakeSignature(scene);
+  group.dimmer = 0.5;
+  expect(bakeSignature(scene)).not.toBe(grouped);
+});
