@@ -44,7 +44,13 @@ export const skies: Readonly<Record<keyof typeof libraryNames.sky, LibrarySky>> 
   'foggy-night': {
     settings: {
       ...{ ...plain, sky: 'night', environmentIntensity: 0.6, volumetricFog: true },
-      ...{ litFogDensity: 0.04, fogAnisotropy: 0.4, fogHeight: 2, fogFalloff: 4, fogNoise: 0.3 },
+      ...{
+        volumetricDensity: 0.04,
+        volumetricAnisotropy: 0.4,
+        volumetricHeight: 2,
+        volumetricFalloff: 4,
+        volumetricNoise: 0.3,
+      },
     },
     sun: { from: direction(30), values: { ...soft, ...kelvin(9000), intensity: 0.15, shadowRadius: 4 } },
   },
