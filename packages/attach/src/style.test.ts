@@ -7,7 +7,12 @@ const tokensOf = (path: string): Map<string, string> => {
 };
 
 it("has the colours and measures of Farol's own editor", () => {
-  const [own, editor] = [tokensOf('style.css'), tokensOf('../../../apps/editor/src/style/theme.css')];
+  const [own, ...theirs] = [
+    'style.css',
+    '../../../apps/editor/src/style/theme.css',
+    '../../editing/src/appearance/colours.css',
+  ].map(tokensOf);
+  const editor = new Map(theirs.flatMap((tokens) => [...tokens]));
   expect(own.size).toBeGreaterThan(10);
   for (const [name, value] of own) expect(`${name}: ${value}`).toBe(`${name}: ${editor.get(name)}`);
 });
