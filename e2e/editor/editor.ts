@@ -132,7 +132,16 @@ export const unfoldFields = (page: Page): Promise<void> =>
     const groups = [...components.types].flatMap(([type, { fields }]) =>
       Object.values(fields).map(({ group }) => `${type}/${group}`),
     );
-    const sections = ['Sky', 'Fog', 'Picture', 'Shadows', 'Picture effects', 'Physics', ...groups];
+    const sections = [
+      'Sky',
+      'Fog',
+      'Picture',
+      'Shadows',
+      'Picture effects',
+      'Physics',
+      'ModelRenderer/Morph targets',
+      ...groups,
+    ];
     preferences.setState({ folded: Object.fromEntries(sections.map((id) => [id, false])) });
   });
 

@@ -61,7 +61,16 @@ test('a material is made of an object, edited, dropped on another, named, put in
   await page.getByRole('menuitem', { name: 'New folder…' }).click();
   await page.getByRole('dialog').getByRole('textbox').fill('Walls');
   await page.keyboard.press('Enter');
-  await card.dragTo(page.locator('.asset-folder[data-folder="Walls"]'));
+  // room for the card and the folder at once
+  await page.getByRole('button', { name: 'Maximise Assets' }).click();
+  await expect(page.getByRole('button', { name: 'Give the window back' })).toBeVisible();
+  await expect(card.locator('img')).toBeVisible();
+  // cards move while their pictures come, and a drag that begins then is none
+  await expect(async () => {
+    await card.dragTo(page.locator('.asset-folder[data-folder="Walls"]'), { steps: 4 });
+    await expect(card).toHaveCount(0, { timeout: 500 });
+  }).toPass();
+  await page.getByRole('button', { name: 'Give the window back' }).click();
   await page.locator('.asset-folder[data-folder="Walls"]').click();
   await page.locator('[data-asset="Walls/Box material"]').click();
   await page.keyboard.press('F2');

@@ -157,7 +157,7 @@ test('fingers place a lamp, move it and colour it', async ({ page }) => {
     .poll(() => fieldOf(page, 'Point light', 'Light', 'diffuse'))
     .toEqual([expect.closeTo(0.05, 2), expect.closeTo(0.22, 2), expect.closeTo(0.22, 2)]);
   // what is outside closes the picker
-  await page.getByRole('searchbox', { name: 'Find a field' }).tap();
+  await page.getByRole('searchbox', { name: 'Find a field' }).tap({ position: { x: 20, y: 12 } });
   await expect(picker).toBeHidden();
   await page.locator('[data-help]').getByText('Intensity', { exact: true }).tap();
   await expect(page.locator('.inspector-help')).toContainText(/./);

@@ -16,7 +16,7 @@ test('builds a comparison by mouse and keyboard, and measures it', async ({ page
   await page.goto('./');
   await expect(page.getByRole('button', { name: /Measure this machine/ })).toBeEnabled();
   // reference results are there before anything is measured
-  await expect(page.getByText('reference, not your machine')).toBeVisible();
+  await expect(page.getByText('reference, not your machine', { exact: true })).toBeVisible();
   await expect(page.locator('.results figure svg').first()).toBeVisible();
   // the machine is named, with its warning
   await expectMachine(page);
@@ -121,7 +121,7 @@ for (const [theme, width, tag] of [
       await page.emulateMedia({ media: 'print' });
       await expect(page.locator('html')).toHaveCSS('color-scheme', 'light');
       await expect(page.getByRole('heading', { name: 'What to measure' })).toBeHidden();
-      await expect(page.getByText('reference, not your machine')).toBeVisible();
+      await expect(page.getByText('reference, not your machine', { exact: true })).toBeVisible();
     });
   });
 }

@@ -13,11 +13,21 @@ const texts = ['gbuffer', 'gpu', 'lighting', 'passes', 'techniques', 'effects'].
     .map((path) => [basename(path, '.glsl'), readFileSync(new URL(path, folder), 'utf8')] as const);
 });
 
+/** Texts that a text includes, directly or not. */
+function includedBy(text: string): readonly (readonly [string, string])[] {
+  const names = [...text.matchAll(/^#include "(\w+)"/gm)].map(([, name]) => name);
+  return texts.filter(([name]) => names.includes(name)).flatMap((each) => [...includedBy(each[1]), each]);
+}
+
 /** Runs in the page. @returns what each claim came to */
-function evaluateClaims([name, text]: readonly [string, string]): { claim: string; holds: boolean }[] {
+function evaluateClaims([name, text, included]: readonly [string, string, ReturnType<typeof includedBy>]): {
+  claim: string;
+  holds: boolean;
+}[] {
   const { authoring } = window.testPage;
   const registry = new authoring.MicroShaderRegistry();
   registry.add(authoring.builtinMicroShaders);
+  for (const [other, source] of included) if (!registry.has(other)) registry.loadGLSL(other, source);
   if (registry.has(name)) registry.replace(name, text);
   else registry.loadGLSL(name, text);
   const claims = authoring.findClaims(text);
@@ -60,7 +70,8 @@ void main() {
 
 test('every claim of the built-in microshaders holds', async ({ benchPage: page }) => {
   const results: { claim: string; holds: boolean }[] = [];
-  for (const text of texts) results.push(...(await page.evaluate(evaluateClaims, text)));
+  for (const text of texts)
+    results.push(...(await page.evaluate(evaluateClaims, [...text, includedBy(text[1])] as const)));
   expect(results.length, 'claims found').toBeGreaterThan(10);
   expect(results.filter(({ holds }) => !holds).map(({ claim }) => claim)).toEqual([]);
 });
@@ -76,6 +87,7 @@ test('a claim that is wrong is seen to be', async ({ benchPage: page }) => {
 //? twice(1.0) > 1.0 == true
 //? twice(1.0) / 0.0 - 1.0 / 0.0 == 0.0
 float twice(float a) { return 2.0 * a; }`,
+    [],
   ] as const);
   expect(results.map(({ holds }) => holds)).toEqual([true, false, true, false, true, true, false]);
 });

@@ -37,7 +37,7 @@ const PRESSABLE = 'button, a, input, select, summary, [role="tab"], [role="treei
 const WALKED = 'input, select, [role="slider"], [role="tab"], [role="treeitem"], [role="option"], [role="separator"]';
 const WALKS = new Set(['End', 'Home', 'PageUp', 'PageDown', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']);
 
-/** Selector of controls that keep the focus after use: Escape leaves them, and does nothing else. */
+/** Selector of controls that keep the focus after use: Escape leaves them, and does nothing else; in the form of a tool it ends that. */
 const FIELD = 'input, .field, [role="checkbox"], [role="combobox"], [role="slider"]';
 
 const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
@@ -82,7 +82,7 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
     if (isOwnKey(elements, action)) continue;
     if (combination === 'Space' && isWithin(elements, PRESSABLE)) continue;
     if (WALKS.has(combination) && isWithin(elements, WALKED)) continue;
-    if (combination === 'Escape' && isWithin(elements, FIELD)) {
+    if (combination === 'Escape' && isWithin(elements, FIELD) && !isWithin(elements, 'form')) {
       (elements[0] as HTMLElement).blur();
       return true;
     }

@@ -18,6 +18,7 @@ import fogIntegrate from './fogIntegrate.glsl?raw';
 import fogLights from './fogLights.glsl?raw';
 import type { MediumUniforms } from './FogMedium';
 import fogMedium from './fogMedium.glsl?raw';
+import fogPhase from './fogPhase.glsl?raw';
 import fogScatter from './fogScatter.glsl?raw';
 import fogSlices from './fogSlices.glsl?raw';
 
@@ -52,7 +53,7 @@ export function fogScatterPass(grid: GridUniforms, medium: MediumUniforms, layer
   return new FullscreenPass({
     program: 'light in fog',
     fragment: 'fogScatter',
-    microShaders: { fogSlices, fogMedium, fogScatter },
+    microShaders: { fogSlices, fogMedium, fogPhase, fogScatter },
     uniforms: {
       ...grid,
       ...medium,

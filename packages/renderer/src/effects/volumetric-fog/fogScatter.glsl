@@ -1,9 +1,10 @@
 // Light that each froxel scatters to the eye per metre, and its extinction, joined with that of earlier frames.
-// Wronski 2014, Volumetric Fog; Henyey and Greenstein 1941 (phase function)
+// Wronski 2014, Volumetric Fog
 #include "ambientLight"
 #include "incidentLight"
 #include "lightMask"
 #include "fogMedium"
+#include "fogPhase"
 #include "fogSlices"
 uniform highp usampler2D farol_fogLights; // bits of lights, see fogLights.glsl
 uniform highp ivec2 farol_fogBlocks; // blocks of froxels across and up
@@ -27,14 +28,6 @@ layout(location = 7) out highp vec4 farol_froxel7;
 vec3 farol_fogPosition;
 vec3 farol_fogView; // from the eye, unit length
 vec3 farol_fogLight;
-
-//? farol_phase(0.5, 0.0) == 0.07957747154594767
-//? farol_phase(1.0, 0.5) == 0.477464829275686
-// share of light that is scattered by an angle, per steradian
-float farol_phase(const in float cosine, const in float anisotropy) {
-  float squared = anisotropy * anisotropy;
-  return 0.07957747154594767 * (1.0 - squared) / pow(max(1.0 + squared - 2.0 * anisotropy * cosine, 1e-4), 1.5);
-}
 
 // area light: by the irradiance of a surface that faces its middle; of a rectangle, of the brightest direction
 void farol_addAreaToFog(const in FarolLight light) {
