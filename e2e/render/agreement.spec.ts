@@ -89,6 +89,8 @@ for (const [part, listed] of parts(isWhole ? variants : variants.slice(0, 1), 1)
   test(`all lit materials and meshes by every technique, as in stock three, part ${part + 1}`, async ({
     benchPage: page,
   }) => {
+    // the page may be that of a test before, whose benches are gone
+    await page.evaluate(() => void delete (window as SharedBench).bench);
     for (const { name, options = {}, environment = false, hardEdge = false } of listed) {
       await test.step(name, async () => {
         for (const pair of await drawAll(page, options, environment)) check(pair, name, hardEdge);

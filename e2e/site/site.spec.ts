@@ -155,7 +155,7 @@ test.describe('on a desk', () => {
     await page.keyboard.press('Enter');
     await expect(page).toHaveURL(`${site}api/renderer-light-field.html#LightField`);
     await expect(page.locator('.vp-doc')).toContainText('new LightField(10_000)');
-    const source = page.getByRole('link', { name: 'source' }).first();
+    const source = page.getByRole('link', { name: 'source', exact: true }).first();
     await expect(source).toHaveAttribute('href', /\/blob\/main\/packages\/renderer\/src\/light-fields\//);
   });
 

@@ -23,8 +23,8 @@ const SIZE = [160, 96] as const;
 const entries: Readonly<Record<EffectName, EffectEntry>> = effects;
 const effectClasses = await loadEffects();
 
-/** Effects of a picture that is the same whatever was drawn before: not TAA. */
-const still = (Object.keys(effects) as EffectName[]).filter((name) => name !== 'taa');
+/** Effects of a picture that is the same whatever was drawn before: neither TAA nor fog, which join frames. */
+const still = (Object.keys(effects) as EffectName[]).filter((name) => (entries[name].stillFrames ?? 1) === 1);
 
 /** Techniques that ambient occlusion works with. */
 const knowsDepth: ReadonlySet<string> = new Set([
