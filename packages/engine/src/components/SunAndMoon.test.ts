@@ -1,5 +1,5 @@
 import { DirectionalLight, type Texture } from 'three';
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { deserialize } from '../files/deserialize';
@@ -94,4 +94,19 @@ test('a file keeps what was set', async () => {
   const { scene } = await made({ hour: 6.5, latitude: 1, north: 0.5 });
   const [again] = (await deserialize(serialize(scene))).componentsOf<SunAndMoon>(SunAndMoon);
   expect([again.hour, again.latitude, again.north, again.speed]).toEqual([6.5, 1, 0.5, 0]);
+});
+
+test('of several the first that is active shows its sky, so that many in a file are not painted one by one', () => {
+  const scene = new Scene();
+  const shown = vi.spyOn(scene.settings, 'showDay').mockImplementation(() => {});
+  const suns = ['One', 'Two', 'Three'].map((name) => {
+    const object = new GameObject(name);
+    scene.add(object);
+    return object.addComponent(SunAndMoon);
+  });
+  expect(shown).toHaveBeenCalledTimes(1);
+  suns[0].enabled = false;
+  expect(shown).toHaveBeenLastCalledWith(null);
+  suns[1].update(0, 0);
+  expect(shown.mock.lastCall![0]?.sun).toBeDefined();
 });

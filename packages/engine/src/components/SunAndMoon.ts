@@ -89,6 +89,8 @@ export class SunAndMoon extends component({
 
   private shownHour = Number.NaN;
   private end: (() => void) | null = null;
+  /** Whether the scene's sky is that of this component: of the first that is active. */
+  private showsSky = false;
 
   /** The sun at the hour that is shown, from north by east. */
   get sun(): SkyPlace {
@@ -145,7 +147,8 @@ export class SunAndMoon extends component({
     this.shownHour = Number.NaN;
     this.gameObject.getComponent(Light)?.give(null);
     this.gameObject.transform.restoreAuthored();
-    scene.settings.showDay(null);
+    if (this.showsSky) scene.settings.showDay(null);
+    this.showsSky = false;
   }
 
   private show(hour: number): void {
@@ -161,7 +164,11 @@ export class SunAndMoon extends component({
       colour: lightOfKelvin(isDay ? sunKelvin(sun.elevation) : MOON_KELVIN),
       intensity: isMeasured ? (isDay ? sunLight : moonLight) : intensity,
     });
-    this.scene?.settings.showDay(
+    // a scene has one sky, which takes milliseconds to paint
+    const { scene } = this;
+    if (!scene || scene.componentsOf(SunAndMoon).find(({ isActive }) => isActive) !== this) return;
+    this.showsSky = true;
+    scene.settings.showDay(
       this.sky
         ? {
             ...{ sun: this.inScene(sun), moon: this.inScene(moon), lit: moon.lit },
