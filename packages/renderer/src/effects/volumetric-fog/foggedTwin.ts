@@ -28,7 +28,7 @@ const COLOUR: Record<Blend, string> = {
   multiplied: 'mix(vec3(1.0), gl_FragColor.rgb, media.a)',
 };
 
-/** What is at the far end of depth, such as a sky, is fogged with the background. */
+/** Objects at the far end of depth, such as a sky, are fogged with the background. */
 const statement = (blend: Blend): string => `if (gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0) {
   vec4 media = farol_mediaAt(1.0 / gl_FragCoord.w);
   gl_FragColor.rgb = ${COLOUR[blend]};
