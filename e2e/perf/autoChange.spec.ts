@@ -186,7 +186,7 @@ test("'auto' draws depth first once it has seen that layers hide one another, wi
       scene.add(mesh);
     }
     for (let i = 0; i < 12; i++) {
-      const light = new three.PointLight(0xffffff, 2, 8);
+      const light = new three.PointLight(0xffffff, 1, 8);
       light.position.set(3 * Math.sin(i * 2.4), 2 * Math.cos(i * 1.7), -4.5);
       scene.add(light);
     }
