@@ -106,6 +106,8 @@ export interface TestPage {
   budgetLoad(): Promise<typeof import('./budgetLoad')>;
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
+  /** Fetched by the tests that need it: it brings the demo scenes. */
+  firstLitFrame(): Promise<typeof import('./firstLitFrame')>;
   hostSnapshot: typeof hostSnapshot;
   LateCase: typeof LateCase;
   enlargeSheet: typeof enlargeSheet;
@@ -177,6 +179,7 @@ window.testPage = {
   chance: () => import('./chance/runScenes'),
   budgetLoad: () => import('./budgetLoad'),
   animatedScene: () => import('./animatedScene'),
+  firstLitFrame: () => import('./firstLitFrame'),
   hostSnapshot,
   enlargeSheet,
   runSheet,
