@@ -48,7 +48,7 @@ export async function timeFirstLitFrame(
   const first = draw();
   const techniques = [technique()];
   let whole = first;
-  while (farol !== null && farol.info.pending.length > 0) {
+  while ((farol?.info.pending.length ?? 0) > 0) {
     await new Promise(requestAnimationFrame);
     whole = draw();
   }
