@@ -37,7 +37,9 @@ export function creationNames({ registry, assets }: Scene): {
       const asked = name.toLowerCase();
       const index = names.findIndex((each) => each.toLowerCase() === asked);
       if (index < 0) {
-        const alike = [...names, ...library.keys()].filter((each) => each.toLowerCase().includes(asked) || asked.includes(each.toLowerCase()));
+        const alike = [...names, ...library.keys()].filter(
+          (each) => each.toLowerCase().includes(asked) || asked.includes(each.toLowerCase()),
+        );
         throw new Error(
           `Nothing is called “${name}”${alike.length > 0 ? `; there is ${alike.slice(0, 5).join(', ')}` : ''}. describe_type lists all.`,
         );
