@@ -46,13 +46,8 @@ try {
           editor.layout.maximise('viewport');
           viewport.showGrid = false;
           viewport.showIcons = false;
-          // effects come with code that is fetched; fog and others gather frames
-          for (let count = -1; count !== viewport.farol.effects.length;) {
-            count = viewport.farol.effects.length;
-            await new Promise((resolve) => setTimeout(resolve, 3000));
-            await viewport.farol.ready;
-          }
-          for (let frame = 0; frame < 12; frame++) viewport.renderNow();
+          await viewport.picture.ready;
+          viewport.renderNow();
           // the middle of the picture, in its shape
           const { canvas } = viewport;
           const tall = Math.min(canvas.height, (canvas.width * height) / width);
