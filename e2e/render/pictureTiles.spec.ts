@@ -74,7 +74,6 @@ test('tiles of a picture have the shadows of the whole, and meet without a seam 
     test
       .info()
       .annotations.push({ type: 'dB', description: `${technique}: seam ${seam.toFixed(1)}, ${whole.toFixed(1)}` });
-    console.log(technique, seam, whole);
     expect.soft(seam, technique).toBeGreaterThan(45);
     expect.soft(whole, technique).toBeGreaterThan(45);
   }

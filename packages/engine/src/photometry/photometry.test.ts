@@ -172,8 +172,9 @@ describe('presets', () => {
     ['overcast', 'lux', 5000, 6500],
     ['fullMoon', 'lux', 0.25, 4100],
   ] as const)('%s has the %s of its source, %d, and %d K', (name, unit, amount, kelvin) => {
-    const made = { ...light({}), ...valuesOfPreset(lightPresets[name], light({})) };
-    const found = (made.intensity as number) * unitFactor(made as PhotometricLight, unit);
+    const values = valuesOfPreset(lightPresets[name], light({}));
+    const made = { ...light({}), ...values } as PhotometricLight;
+    const found = Number(values.intensity) * unitFactor(made, unit);
     expect(Math.abs(found / amount - 1)).toBeLessThan(0.01);
     expect(made).toMatchObject({ kelvin });
   });
