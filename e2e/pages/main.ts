@@ -98,6 +98,10 @@ export interface TestPage {
   addonCases(): Promise<typeof import('./addonCases')>;
   /** Cases of node materials; fetched by the tests that need them. */
   nodeCases(): Promise<typeof import('./nodeCases')>;
+  /** Fog in targets, by cameras and before transparent things; fetched by the tests that need it. */
+  fogHosts(): Promise<typeof import('./fogHostCases')>;
+  /** Lights in fog; fetched by the tests that need them. */
+  fogCases(): Promise<typeof import('./fogLightCases')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;
   /** Fetched by the tests that need it. */
@@ -175,6 +179,8 @@ window.testPage = {
   nodeCases: () => import('./nodeCases'),
   LateCase,
   addonCases: () => import('./addonCases'),
+  fogHosts: () => import('./fogHostCases'),
+  fogCases: () => import('./fogLightCases'),
   bake: () => import('@farol/bake'),
   chance: () => import('./chance/runScenes'),
   budgetLoad: () => import('./budgetLoad'),
