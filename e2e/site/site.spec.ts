@@ -183,6 +183,8 @@ test.describe('on a desk', () => {
     const links = [...list.matchAll(/\]\((.*?)\)/g)].map(([, link]) => link);
     expect(links.length).toBeGreaterThan(50);
     for (const link of links) expect((await request.get(site + link)).status(), link).toBe(200);
-    expect(await (await request.get(`${site}llms-full.txt`)).text()).toContain('# Start in a minute');
+    const all = await (await request.get(`${site}llms-full.txt`)).text();
+    expect(all).toContain('# Start in a minute');
+    expect(all).toContain('\n## LightField\n');
   });
 });

@@ -15,6 +15,7 @@ export const figuresFile = join(galleryFolder, 'figures.json');
  * @typedef {object} GalleryExample
  * @property {string} name - name of its file without ending
  * @property {string} file - name of its file
+ * @property {string[]} others - files of the folder of its name: what its worker runs
  * @property {string} title - first line of the docblock
  * @property {string} sentence - second paragraph
  * @property {string[]} tags
@@ -38,13 +39,18 @@ export function readExamples() {
   return readdirSync(galleryFolder)
     .filter((file) => /\.tsx?$/.test(file))
     .toSorted()
-    .map((file) => parseExample(file, readFileSync(join(galleryFolder, file), 'utf8')));
+    .map((file) => {
+      const example = parseExample(file, readFileSync(join(galleryFolder, file), 'utf8'));
+      const folder = join(galleryFolder, example.name);
+      const others = existsSync(folder) ? readdirSync(folder).toSorted() : [];
+      return { ...example, others: others.map((other) => `${example.name}/${other}`) };
+    });
 }
 
 /**
  * @param {string} file - name of the file
  * @param {string} source
- * @returns {GalleryExample}
+ * @returns {Omit<GalleryExample, 'others'>}
  * @throws {Error} when the docblock lacks a title, a sentence or tags
  */
 export function parseExample(file, source) {

@@ -1,0 +1,41 @@
+import { readExamples } from '@farol/tools/site/galleryExamples';
+import { serveApps } from '@farol/tools/serveApps';
+import { expect, test as base } from '../support/test';
+
+/** Site and editor as `npm start` serves them: what is published has no editor beside it. */
+const test = base.extend<object, { site: string }>({
+  site: [
+    // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
+    async ({}, use) => {
+      const { urls, close } = await serveApps({ ports: { editor: 0, site: 0 }, watch: false });
+      await use(urls.site!);
+      await close();
+    },
+    { scope: 'worker' },
+  ],
+});
+
+test.use({ viewport: { width: 1000, height: 700 } });
+
+const examples = readExamples().filter(({ editor }) => editor !== null);
+
+test('examples that the editor can open do so by their link @verify', async ({ page, site }) => {
+  test.slow();
+  expect(examples.length).toBeGreaterThanOrEqual(2);
+  for (const { name, editor } of examples) {
+    await page.goto(`${site}gallery/${name}.html`);
+    const [tab] = await Promise.all([
+      page.context().waitForEvent('page'),
+      page.getByRole('link', { name: 'Open it in the editor' }).click(),
+    ]);
+    await tab.waitForFunction(() => 'editor' in window);
+    const { scene, size } = await tab.evaluate(async () => {
+      await window.editor.ready;
+      const { scene } = window.editor.document;
+      return { scene: new URLSearchParams(location.search).get('scene'), size: scene.size };
+    });
+    expect(`?scene=${scene}`, name).toBe(editor);
+    expect(size, `objects of ${name}`).toBeGreaterThan(20);
+    await tab.close();
+  }
+});
