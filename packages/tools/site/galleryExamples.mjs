@@ -86,8 +86,8 @@ export function readFigures() {
 }
 
 /**
- * Sizes of the scripts that an example loads before its first frame, gzipped, from what was built; none before the first
- * build. Code that Farol fetches once a scene needs it comes on top.
+ * Sizes of the scripts that an example loads before its first frame, gzipped, from what was built, and none of three's where
+ * they are in those of a worker; nothing before the first build. Code that Farol fetches once a scene needs it comes on top.
  *
  * @returns {Record<string, { three: number, others: number }>} bytes by name: three's, all others
  */
@@ -95,7 +95,7 @@ export function readSizes() {
   const dist = join(liveFolder, 'dist');
   const file = join(dist, '.vite/manifest.json');
   if (!existsSync(file)) return {};
-  /** @type {Record<string, { file: string, name?: string, imports?: string[], isEntry?: boolean }>} */
+  /** @type {Record<string, { file: string, name?: string, imports?: string[], assets?: string[], isEntry?: boolean }>} */
   const manifest = JSON.parse(readFileSync(file, 'utf8'));
   /** @type {Map<string, number>} */
   const sizes = new Map();
@@ -111,6 +111,8 @@ export function readSizes() {
       for (const each of all) for (const found of manifest[each].imports ?? []) all.add(found);
       let three = 0;
       let others = 0;
+      // a worker's script is a bundle of its own, which has three in it
+      for (const worker of manifest[key].assets ?? []) if (worker.endsWith('.js')) others += sizeOf(worker);
       for (const each of all) {
         const size = sizeOf(manifest[each].file);
         if (manifest[each].name === 'three') three += size;

@@ -44,7 +44,7 @@ export function makeRelative(dist) {
       change((text) =>
         withPolicy(
           text
-            .replace(/<link [^>]*vp-icons\.css"[^>]*>/, () => `<style>${icons}</style>`)
+            .replace(/<link [^>]*vp-icons\.css"[^>]*>/, icons && `<style>${icons}</style>`)
             .replaceAll(placeholderBase, up)
             .replace('</body>', () => `${findBase(up)}</body>`),
         ),
