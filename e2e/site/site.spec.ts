@@ -98,7 +98,7 @@ test.describe('on a desk', () => {
     const seen = await page.waitForFunction(() => {
       const frame = performance.getEntriesByType('resource').find(({ name }) => name.includes('/live/index.html'));
       const [page] = performance.getEntriesByType('navigation');
-      return frame && { frame: frame.startTime, loaded: page.loadEventStart };
+      return frame && { frame: frame.startTime, loaded: (page as PerformanceNavigationTiming).loadEventStart };
     });
     const { frame, loaded } = (await seen.jsonValue())!;
     expect(frame).toBeGreaterThan(loaded);
