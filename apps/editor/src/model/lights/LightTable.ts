@@ -47,10 +47,24 @@ interface Entry {
   readonly name: string;
   /** Name in lower case, its numbers padded so that texts sort as numbers do. */
   readonly nameKey: string;
+  /** Kind of the light and id of its group's object, see `kindOf` and `groupOf`. */
+  readonly kind: string;
+  readonly group: string | null;
+  /** Name and kind in lower case, for the search. */
+  readonly words: string;
 }
+
+/** Parts of the table that are out of date; each takes those after it along. */
+const parts = ['lights', 'order', 'filter', 'no'] as const;
+type Part = (typeof parts)[number];
+
+const isBefore = (a: Part, b: Part): boolean => parts.indexOf(a) < parts.indexOf(b);
 
 /** Fields by which rows are found or grouped; a change of one makes the rows anew. */
 const structural = new Set(['group', 'type', 'shine', 'attenuation']);
+
+/** Fields of lights and groups that change no cost. */
+const costless = new Set(['intensity', 'lightIntensity', 'diffuse', 'colourBy', 'kelvin', 'dimmer', 'colour']);
 
 const noFilter: LightFilter = { text: '', kind: null, group: null, isSelected: false };
 
@@ -80,18 +94,22 @@ export class LightTable {
   sort: { readonly column: LightColumn; readonly isDescending: boolean } = { column: 'name', isDescending: false };
 
   private entries: Entry[] = [];
+  /** `entries` in their order. */
+  private ordered: readonly Entry[] = [];
   private made: readonly LightRow[] = [];
   private members: ReadonlyMap<string, readonly LightSource[]> = new Map();
   private filter = noFilter;
   private readonly folded = new Set<string>();
   private solo: ReadonlySet<string> = new Set();
-  /** Parts that are out of date. */
-  private stale: 'no' | 'order' | 'lights' = 'lights';
+  /** First part that is out of date. */
+  private stale: Part = 'lights';
   /** Signals to be emitted at the end of the task. */
   private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
   /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
   private costs: ReadonlyMap<string, number> = new Map();
   private costKey = '';
+  /** Number of changes of the scene that may have changed costs. */
+  private costChanges = 0;
   private estimate: { readonly entries: readonly Entry[]; readonly run: CostEstimate } | null = null;
 
   constructor(private readonly document: EditorDocument) {}
@@ -104,11 +122,12 @@ export class LightTable {
       document.structure.subscribe(() => this.tell('lights')),
       document.opened.subscribe(() => {
         this.solo = new Set();
+        this.costChanges++;
         this.tell('lights');
       }),
       document.sceneChanged.subscribe((change) => this.follow(change)),
       commands.changed.subscribe(() => this.stale !== 'no' && this.tell('order')),
-      selection.changed.subscribe(() => this.tell(this.filter.isSelected ? 'order' : 'no')),
+      selection.changed.subscribe(() => this.tell(this.filter.isSelected ? 'filter' : 'no')),
       simulation.changed.subscribe(() => simulation.state !== 'stopped' && this.endSolo()),
     ];
     this.tell('lights');
@@ -120,8 +139,9 @@ export class LightTable {
 
   /** Rows in their order; one array until something changes. */
   get rows(): readonly LightRow[] {
-    if (this.stale === 'no' || (this.stale === 'order' && this.commands.isGestureOpen)) return this.made;
+    if (this.stale === 'no' || (this.stale !== 'lights' && this.commands.isGestureOpen)) return this.made;
     if (this.stale === 'lights') this.entries = this.collect();
+    if (this.stale !== 'filter') this.ordered = this.sorted(this.entries);
     this.stale = 'no';
     this.evaluations++;
     this.made = this.arrange();
@@ -153,7 +173,7 @@ export class LightTable {
 
   setFilter(change: Partial<LightFilter>): void {
     this.filter = { ...this.filter, ...change };
-    this.tell('order');
+    this.tell('filter');
   }
 
   /** Sorts by a column; the other way round when it is sorted by it already. */
@@ -169,7 +189,7 @@ export class LightTable {
   fold(group: string, isFolded: boolean): void {
     if (isFolded) this.folded.add(group);
     else this.folded.delete(group);
-    this.tell('order');
+    this.tell('filter');
   }
 
   /** Share of the lighting time that a light takes, 0 to 1, as last measured. */
@@ -182,7 +202,7 @@ export class LightTable {
     const { camera, width, height } = view;
     if (!this.estimate) {
       const key = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
-      const state = `${key} ${this.document.edited.revision} ${this.scene.time}`;
+      const state = `${key} ${this.costChanges} ${this.scene.time}`;
       if (state === this.costKey || this.stale === 'lights') return;
       this.costKey = state;
       const { entries } = this;
@@ -264,6 +284,7 @@ export class LightTable {
   }
 
   private follow(change: SceneChange): void {
+    if (change.kind !== 'field' || !costless.has(change.field)) this.costChanges++;
     if (change.kind === 'enabled') this.tellOf(change.component, this.sort.column === 'on');
     else if (change.kind === 'field') {
       const { component, field } = change;
@@ -272,15 +293,15 @@ export class LightTable {
     }
   }
 
-  private tellOf(owner: FieldOwner, isOrder: boolean, part: 'order' | 'lights' = 'order'): void {
+  private tellOf(owner: FieldOwner, isOrder: boolean, part: Part = 'order'): void {
     if (isLight(owner) || owner instanceof LightGroup) this.tell(isOrder ? part : 'no');
   }
 
-  private tell(part: 'no' | 'order' | 'lights'): void {
-    if (part === 'lights' || this.stale === 'no') this.stale = part;
+  private tell(part: Part): void {
+    if (isBefore(part, this.stale)) this.stale = part;
     const isFirst = this.toTell === 'nothing';
     // rows stand still while a value is dragged
-    const isRows = part === 'lights' || (part === 'order' && !this.commands.isGestureOpen);
+    const isRows = part === 'lights' || (part !== 'no' && !this.commands.isGestureOpen);
     if (isFirst || isRows) this.toTell = isRows ? 'rows' : 'values';
     if (isFirst) queueMicrotask(() => this.emit());
   }
@@ -297,21 +318,24 @@ export class LightTable {
     const emitters = this.scene.componentsOf(ParticleEmitter).filter(({ shine }) => shine);
     return [...this.scene.componentsOf(Light), ...emitters].map((source) => {
       const { gameObject: object, id } = source;
+      const { name } = object;
+      const [kind, group] = [kindOf(source), groupOf(source)];
       const known = before.get(source);
-      if (known?.name === object.name) return known;
-      const row: LightRow = { kind: 'light', id, object, source };
-      return { source, row, name: object.name, nameKey: keyOfName(object.name) };
+      if (known?.name === name && known.kind === kind && known.group === group) return known;
+      const row: LightRow = known?.row ?? { kind: 'light', id, object, source };
+      const words = `${name} ${kindLabel(kind)}`.toLowerCase();
+      return { source, row, name, nameKey: keyOfName(name), kind, group, words };
     });
   }
 
   private arrange(): LightRow[] {
     const { groups } = this;
-    const passing = this.sorted(this.entries.filter(this.filterOf(groups)));
+    const passing = this.ordered.filter(this.filterOf(groups));
     if (groups.length === 0) return passing.map(({ row }) => row);
     const lists = new Map<string, Entry[]>(
       [...groups.map(({ gameObject }) => gameObject.id), ''].map((id) => [id, []]),
     );
-    for (const entry of passing) (lists.get(groupOf(entry.source) ?? '') ?? lists.get('')!).push(entry);
+    for (const entry of passing) (lists.get(entry.group ?? '') ?? lists.get('')!).push(entry);
     this.members = new Map([...lists].map(([id, entries]) => [id, entries.map(({ source }) => source)]));
     const isWhole = this.filter.text === '' && this.filter.kind === null && !this.filter.isSelected;
     const rows = groups.flatMap((group): LightRow[] => {
@@ -334,16 +358,14 @@ export class LightTable {
   private filterOf(groups: readonly LightGroup[]): (entry: Entry) => boolean {
     const { text, kind, group, isSelected } = this.filter;
     const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-    const names = new Map(groups.map(({ gameObject }) => [gameObject.id, gameObject.name]));
+    const names = new Map(groups.map(({ gameObject: { id, name } }) => [id, name.toLowerCase()]));
     const selected = new Set(isSelected ? this.document.selection.ids : []);
-    return ({ source, name }) => {
-      if (kind !== null && kindOf(source) !== kind) return false;
-      const own = groupOf(source);
-      if (group !== null && (names.has(own ?? '') ? own : '') !== group) return false;
-      if (isSelected && !selected.has(source.gameObject.id)) return false;
-      if (words.length === 0) return true;
-      const whole = `${name} ${kindLabel(kindOf(source))} ${names.get(own ?? '') ?? ''}`.toLowerCase();
-      return words.every((word) => whole.includes(word));
+    return (entry) => {
+      if (kind !== null && entry.kind !== kind) return false;
+      const name = entry.group === null ? undefined : names.get(entry.group);
+      if (group !== null && (name === undefined ? '' : entry.group) !== group) return false;
+      if (isSelected && !selected.has(entry.source.gameObject.id)) return false;
+      return words.every((word) => entry.words.includes(word) || name?.includes(word) === true);
     };
   }
 
@@ -358,9 +380,9 @@ export class LightTable {
     });
   }
 
-  private keyOf({ source, row, nameKey }: Entry, column: LightColumn): number | string {
+  private keyOf({ source, row, nameKey, kind }: Entry, column: LightColumn): number | string {
     if (column === 'name') return nameKey;
-    if (column === 'kind') return kindLabel(kindOf(source));
+    if (column === 'kind') return kindLabel(kind);
     if (column === 'on') return Number(!source.isActive);
     if (column === 'solo') return Number(!this.solo.has(row.id));
     if (column === 'cost') return -this.costOf(row);
