@@ -3,8 +3,14 @@ import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
 import { outOfReach } from '../support/outOfReach';
 import { openEditor } from './editor';
+import { test as it } from './sharedEditor';
 
-test.use({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
+/** Opens the editor with the empty scene, in a window of its own. */
+async function openLarge(page: Page): Promise<void> {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openEditor(page, 'empty');
+}
 
 /** Opens the panel and gives it most of the window's height. */
 async function openLights(page: Page): Promise<void> {
@@ -68,7 +74,7 @@ async function scriptMeter(page: Page): Promise<() => Promise<number>> {
 test('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of script a frame @verify', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
+  await openLarge(page);
   await page.evaluate((text) => window.editor.openFileBytes(text, { name: null, handle: null }), manyLamps());
   await openLights(page);
   const grid = page.getByRole('treegrid', { name: 'Lights' });
@@ -137,10 +143,9 @@ test('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of
   if (process.env.FAROL_E2E === 'built') for (const figure of Object.values(figures)) expect(figure).toBeLessThan(16);
 });
 
-test('lamps are grouped, dimmed by their master and shown alone; each edit is one step, and solo is none', async ({
+it('lamps are grouped, dimmed by their master and shown alone; each edit is one step, and solo is none', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await page.evaluate(async () => {
     const { scene } = window.editor.document;
     const { constructor: GameObject } = scene.roots[0] as unknown as {
@@ -160,7 +165,7 @@ test('lamps are grouped, dimmed by their master and shown alone; each edit is on
   await page.keyboard.press('Shift+ArrowDown');
   await page.getByRole('button', { name: 'Group', exact: true }).click();
   await page.getByRole('menuitem', { name: 'New group of selected lights' }).click();
-  expect(await history(page)).toEqual(['Made Light group of lights']);
+  await expect.poll(() => history(page)).toEqual(['Made Light group of lights']);
   const slider = grid.getByRole('row', { name: 'Light group' }).locator('.slider');
   const box = (await slider.boundingBox())!;
   await page.mouse.move(box.x + box.width - 2, box.y + box.height / 2);
@@ -170,7 +175,7 @@ test('lamps are grouped, dimmed by their master and shown alone; each edit is on
   expect(half).toBeGreaterThan(1.8);
   expect(half).toBeLessThan(2.2);
   await page.mouse.up();
-  expect((await history(page)).length).toBe(2);
+  await expect.poll(async () => (await history(page)).length).toBe(2);
   await grid.getByRole('button', { name: 'Solo of Lamp 3' }).click();
   expect((await shining(page, ['Lamp 1', 'Lamp 2', 'Lamp 3'])).map(([, isDrawn]) => isDrawn)).toEqual([
     false,
@@ -179,13 +184,13 @@ test('lamps are grouped, dimmed by their master and shown alone; each edit is on
   ]);
   await page.getByRole('button', { name: 'End solo' }).click();
   expect((await shining(page, ['Lamp 1']))[0][1]).toBe(true);
-  expect((await history(page)).length).toBe(2);
+  await expect.poll(async () => (await history(page)).length).toBe(2);
 });
 
 test('the keyboard goes through rows, switches and ranges of them; axe finds nothing, and all is in reach, in every size and theme @verify', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
+  await openLarge(page);
   await page.evaluate(() => window.editor.openScene('temple', { lights: 20 }));
   await openLights(page);
   const grid = page.getByRole('treegrid', { name: 'Lights' });

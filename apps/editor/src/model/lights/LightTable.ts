@@ -8,10 +8,11 @@ import {
   type SceneChange,
   soloLights,
 } from '@farol/engine';
-import type { FieldOwner, Vector3Tuple } from '@farol/engine/fields';
+import type { FieldOwner } from '@farol/engine/fields';
 import type { EditorDocument } from '../EditorDocument';
 import { CostEstimate, type CostView } from './lightCost';
-import { colourOf, groupOf, kindLabel, kindOf, type LightSource, shownNumber } from './lightSource';
+import { hueOf, keyOfGroup, keyOfName, sortByKey } from './lightOrder';
+import { colourOf, kindLabel, kindOf, type LightSource, shownNumber } from './lightSource';
 
 /** A column of the table, by which its rows can be sorted. */
 export type LightColumn = 'on' | 'solo' | 'name' | 'kind' | 'colour' | 'intensity' | 'range' | 'shadow' | 'cost';
@@ -47,7 +48,7 @@ interface Entry {
   readonly name: string;
   /** Name in lower case, its numbers padded so that texts sort as numbers do. */
   readonly nameKey: string;
-  /** Kind of the light and id of its group's object, see `kindOf` and `groupOf`. */
+  /** Kind of the light and id of its group's object, see `kindOf`. */
   readonly kind: string;
   readonly group: string | null;
   /** Name and kind in lower case, for the search. */
@@ -67,17 +68,6 @@ const structural = new Set(['group', 'type', 'shine', 'attenuation']);
 const costless = new Set(['intensity', 'lightIntensity', 'diffuse', 'colourBy', 'kelvin', 'dimmer', 'colour']);
 
 const noFilter: LightFilter = { text: '', kind: null, group: null, isSelected: false };
-
-const keyOfName = (name: string): string => name.toLowerCase().replaceAll(/\d+/g, (digits) => digits.padStart(9, '0'));
-
-/** Hue of a linear colour (0 to 6), greys before all. */
-function hueOf([r, g, b]: Vector3Tuple): number {
-  const most = Math.max(r, g, b);
-  const span = most - Math.min(r, g, b);
-  if (span < 1e-6 * most) return -1;
-  if (most === r) return ((g - b) / span + 6) % 6;
-  return most === g ? (b - r) / span + 2 : (r - g) / span + 4;
-}
 
 /**
  * The lights of a document as rows: filtered, sorted, in their groups; and those that are shown alone. Rows are made
@@ -107,6 +97,7 @@ export class LightTable {
   private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
   /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
   private costs: ReadonlyMap<string, number> = new Map();
+  private readonly groupCosts = new Map<string, number>();
   private costKey = '';
   /** Number of changes of the scene that may have changed costs. */
   private costChanges = 0;
@@ -141,7 +132,14 @@ export class LightTable {
   get rows(): readonly LightRow[] {
     if (this.stale === 'no' || (this.stale !== 'lights' && this.commands.isGestureOpen)) return this.made;
     if (this.stale === 'lights') this.entries = this.collect();
-    if (this.stale !== 'filter') this.ordered = this.sorted(this.entries);
+    const { column, isDescending } = this.sort;
+    if (this.stale !== 'filter')
+      this.ordered = sortByKey(
+        this.entries,
+        (entry) => this.keyOf(entry, column),
+        ({ nameKey }) => nameKey,
+        isDescending,
+      );
     this.stale = 'no';
     this.evaluations++;
     this.made = this.arrange();
@@ -155,11 +153,7 @@ export class LightTable {
 
   /** Groups of the scene, by name. */
   get groups(): readonly LightGroup[] {
-    return this.scene
-      .componentsOf(LightGroup)
-      .map((group) => [keyOfName(group.gameObject.name), group] as const)
-      .toSorted(([a], [b]) => (a < b ? -1 : 1))
-      .map(([, group]) => group);
+    return sortByKey(this.scene.componentsOf(LightGroup), nameKeyOf, nameKeyOf, false);
   }
 
   /** Whether rows stand below groups. */
@@ -192,9 +186,19 @@ export class LightTable {
     this.tell('filter');
   }
 
-  /** Share of the lighting time that a light takes, 0 to 1, as last measured. */
-  costOf(row: LightRow): number {
-    return this.costs.get(row.id) ?? 0;
+  /** Share of the lighting time that a light takes, or those of a group that pass the filter, 0 to 1, as last measured. */
+  costOf({ kind, id }: LightRow): number {
+    return kind === 'light' ? (this.costs.get(id) ?? 0) : this.groupCost(id);
+  }
+
+  private groupCost(group: string): number {
+    let cost = this.groupCosts.get(group);
+    if (cost === undefined) {
+      cost = 0;
+      for (const { id } of this.membersOf(group)) cost += this.costs.get(id) ?? 0;
+      this.groupCosts.set(group, cost);
+    }
+    return cost;
   }
 
   /** Goes on estimating the costs for a view, a thousand lights a call; begins anew when it or the scene has changed. */
@@ -218,6 +222,7 @@ export class LightTable {
     const costs = run.next();
     if (!costs) return;
     this.estimate = null;
+    this.groupCosts.clear();
     this.costs = new Map(entries.map(({ row }, i) => [row.id, costs[i]]));
     this.tell(this.sort.column === 'cost' ? 'order' : 'no');
   }
@@ -265,7 +270,7 @@ export class LightTable {
   get selected(): readonly LightSource[] {
     const selected = new Set(this.document.selection.ids);
     return this.entries.flatMap(({ source }) =>
-      selected.has(source.gameObject.id) || selected.has(groupOf(source) ?? '') ? [source] : [],
+      selected.has(source.gameObject.id) || selected.has(source.group ?? '') ? [source] : [],
     );
   }
 
@@ -319,7 +324,8 @@ export class LightTable {
     return [...this.scene.componentsOf(Light), ...emitters].map((source) => {
       const { gameObject: object, id } = source;
       const { name } = object;
-      const [kind, group] = [kindOf(source), groupOf(source)];
+      const { group } = source;
+      const kind = kindOf(source);
       const known = before.get(source);
       if (known?.name === name && known.kind === kind && known.group === group) return known;
       const row: LightRow = known?.row ?? { kind: 'light', id, object, source };
@@ -336,9 +342,12 @@ export class LightTable {
       [...groups.map(({ gameObject }) => gameObject.id), ''].map((id) => [id, []]),
     );
     for (const entry of passing) (lists.get(entry.group ?? '') ?? lists.get('')!).push(entry);
+    this.groupCosts.clear();
     this.members = new Map([...lists].map(([id, entries]) => [id, entries.map(({ source }) => source)]));
     const isWhole = this.filter.text === '' && this.filter.kind === null && !this.filter.isSelected;
-    const rows = groups.flatMap((group): LightRow[] => {
+    const { column, isDescending } = this.sort;
+    const keyOf = (group: LightGroup) => keyOfGroup(group, column, () => this.groupCost(group.gameObject.id));
+    const rows = sortByKey(groups, keyOf, nameKeyOf, isDescending).flatMap((group): LightRow[] => {
       const {
         gameObject: object,
         gameObject: { id },
@@ -369,17 +378,6 @@ export class LightTable {
     };
   }
 
-  private sorted(entries: Entry[]): Entry[] {
-    const { column, isDescending } = this.sort;
-    const keys = new Map(entries.map((entry) => [entry, this.keyOf(entry, column)]));
-    const sign = isDescending ? -1 : 1;
-    return entries.toSorted((a, b) => {
-      const [first, second] = [keys.get(a)!, keys.get(b)!];
-      if (first !== second) return first < second ? -sign : sign;
-      return a.nameKey < b.nameKey ? -1 : a.nameKey > b.nameKey ? 1 : 0;
-    });
-  }
-
   private keyOf({ source, row, nameKey, kind }: Entry, column: LightColumn): number | string {
     if (column === 'name') return nameKey;
     if (column === 'kind') return kindLabel(kind);
@@ -392,5 +390,7 @@ export class LightTable {
     return column === 'range' ? value || Infinity : value!;
   }
 }
+
+const nameKeyOf = ({ gameObject }: LightGroup): string => keyOfName(gameObject.name);
 
 const isLight = (owner: FieldOwner): owner is LightSource => owner instanceof Light || owner instanceof ParticleEmitter;
