@@ -5,6 +5,9 @@ import { outOfReach } from '../support/outOfReach';
 import { openEditor } from './editor';
 import { test as it } from './sharedEditor';
 
+// rows of the panel, and little of the picture
+test.use({ viewport: { width: 900, height: 900 } });
+
 /** Opens the editor with the empty scene, in a window of its own. */
 async function openLarge(page: Page): Promise<void> {
   await page.setViewportSize({ width: 1440, height: 900 });
@@ -110,7 +113,7 @@ test('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of
   const dim = async (what: string, row: number): Promise<void> => {
     const slider = grid.locator(`[aria-rowindex="${row}"] .slider`);
     const box = (await slider.boundingBox())!;
-    const toPart = (part: number) => page.mouse.move(box.x + box.width * part, box.y + box.height / 2);
+    const toPart = (part: number) => page.mouse.move(box.x + (box.width - 1) * part, box.y + box.height / 2);
     await toPart(1);
     await page.mouse.down();
     const full = await intensityOf(page, 'lamp999');

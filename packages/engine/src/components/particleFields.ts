@@ -382,7 +382,7 @@ export const particleFields = {
   }),
   group: object(null, {
     ...light,
-    help: 'Object with a Light Group, whose dimmer multiplies the intensity of each; they keep the colours of the particles.',
+    help: 'Object with a Light Group, whose dimmer multiplies the intensity.',
     label: 'Light group',
     noneLabel: 'No group',
     ...when('shine', true),
