@@ -1,9 +1,9 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
+import { expect, test as it } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
 import { outOfReach } from '../support/outOfReach';
 import { openEditor } from './editor';
-import { test as it } from './sharedEditor';
+import { test } from './sharedEditor';
 
 // rows of the panel, and little of the picture
 test.use({ viewport: { width: 900, height: 900 } });
@@ -74,7 +74,7 @@ async function scriptMeter(page: Page): Promise<() => Promise<number>> {
   };
 }
 
-test('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of script a frame @verify', async ({
+it('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of script a frame @verify', async ({
   page,
 }) => {
   await openLarge(page);
@@ -146,7 +146,7 @@ test('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of
   if (process.env.FAROL_E2E === 'built') for (const figure of Object.values(figures)) expect(figure).toBeLessThan(16);
 });
 
-it('lamps are grouped, dimmed by their master and shown alone; each edit is one step, and solo is none', async ({
+test('lamps are grouped, dimmed by their master and shown alone; each edit is one step, and solo is none', async ({
   page,
 }) => {
   await page.evaluate(async () => {
@@ -190,7 +190,7 @@ it('lamps are grouped, dimmed by their master and shown alone; each edit is one 
   await expect.poll(async () => (await history(page)).length).toBe(2);
 });
 
-test('the keyboard goes through rows, switches and ranges of them; axe finds nothing, and all is in reach, in every size and theme @verify', async ({
+it('the keyboard goes through rows, switches and ranges of them; axe finds nothing, and all is in reach, in every size and theme @verify', async ({
   page,
 }) => {
   await openLarge(page);

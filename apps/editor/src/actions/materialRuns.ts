@@ -1,23 +1,21 @@
 import { t } from '@farol/editing';
-import type { ModelRenderer } from '@farol/engine';
+import type { ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
 import { addMaterial, valuesOfOwnMaterial } from '../model/assetEdits';
 import type { BuiltinSurface, BuiltinSurfaceName } from '../model/surfaces/builtinSurfaces';
-import { renderersOf } from './materials';
 
-/** Adds a material to the library, gives it to the selected objects, and selects it. */
-export function newMaterial(editor: EditorApi): void {
+/** Adds a material to the library, gives it to objects, and selects it. */
+export function newMaterial(editor: EditorApi, renderers: readonly ObjectRenderer[]): void {
   const { document, commands } = editor;
-  const { command, name } = addMaterial(document.scene, t('Material'), { kind: 'physical' }, renderersOf(editor));
+  const { command, name } = addMaterial(document.scene, t('Material'), { kind: 'physical' }, renderers);
   commands.run(command);
   document.assetSelection.set([name]);
   editor.layout.open('inspector');
 }
 
-/** Makes a library material of the first selected object's own, and assigns it to all selected objects. */
-export function makeMaterial(editor: EditorApi): void {
+/** Makes a library material of the first object's own, and assigns it to all. */
+export function makeMaterial(editor: EditorApi, renderers: readonly ObjectRenderer[]): void {
   const { document, commands } = editor;
-  const renderers = renderersOf(editor);
   const first = renderers.find(({ material, shader }) => material === null && shader === null)!;
   const materialName = t('{name} material', { name: first.gameObject.name });
   const made = addMaterial(document.scene, materialName, valuesOfOwnMaterial(first), renderers);

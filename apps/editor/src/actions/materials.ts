@@ -21,7 +21,7 @@ export const newMaterial: Action = {
   id: 'material.new',
   label: 'New material',
   icon: 'contrast',
-  run: async (editor) => (await runs()).newMaterial(editor),
+  run: async (editor) => (await runs()).newMaterial(editor, renderersOf(editor)),
 };
 
 /** Makes a library material of the first selected object's own, and assigns it to all selected objects. */
@@ -30,7 +30,7 @@ export const makeMaterial: Action = {
   label: 'Make material asset',
   icon: 'contrast',
   enabled: (editor) => renderersOf(editor).some(({ material, shader }) => material === null && shader === null),
-  run: async (editor) => (await runs()).makeMaterial(editor),
+  run: async (editor) => (await runs()).makeMaterial(editor, renderersOf(editor)),
 };
 
 /** Unpacks the selected models into trees of objects. */
