@@ -394,7 +394,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     const moved = this.pictureCamera.update(step);
     if (this.panes.update(step) || moved) this.ask();
     const goesOn = (this.parts.particles.get()?.advance(seconds) ?? false) || simulation.isPlaying;
-    if (goesOn || this.loop.continuous) this.stamps.move();
+    if (goesOn || this.loop.continuous || simulation.state !== 'stopped') this.stamps.move();
     return goesOn;
   }
 }
