@@ -102,6 +102,13 @@ export const savePicture: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'picture' }),
 };
 
+export const saveFilm: Action = {
+  id: 'file.film',
+  label: 'Save a film…',
+  icon: 'play',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'film' }),
+};
+
 export const letAgentEdit: Action = {
   id: 'file.agent',
   label: 'Let an agent edit…',

@@ -32,6 +32,7 @@ import {
   open,
   openExamples,
   openOnPhone,
+  saveFilm,
   savePicture,
   recentActions,
   recover,
@@ -83,7 +84,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
     open: [open],
     save: [save, saveAs],
-    share: [exportScene, savePicture, openOnPhone, letAgentEdit, measure],
+    share: [exportScene, savePicture, saveFilm, openOnPhone, letAgentEdit, measure],
     recover: [recover],
   },
   edit: {

@@ -18,6 +18,7 @@ const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog'
 const AgentDialog = lazy(async () => ({ default: (await import('./AgentDialog')).AgentDialog }));
 const AgentBar = lazy(async () => ({ default: (await import('../agent/AgentBar')).AgentBar }));
 const PictureDialog = lazy(async () => ({ default: (await import('./PictureDialog')).PictureDialog }));
+const FilmDialog = lazy(async () => ({ default: (await import('./FilmDialog')).FilmDialog }));
 const PhoneDialog = lazy(async () => ({ default: (await import('./PhoneDialog')).PhoneDialog }));
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = {
@@ -83,6 +84,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;
   if (request.kind === 'phone') return <PhoneDialog onClose={() => onClose(false)} />;
   if (request.kind === 'picture') return <PictureDialog onClose={() => onClose(false)} />;
+  if (request.kind === 'film') return <FilmDialog onClose={() => onClose(false)} />;
   if (request.kind === 'agent') return <AgentDialog onClose={() => onClose(false)} />;
   if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (
