@@ -54,7 +54,7 @@ export function movingScene(seconds: Seconds): string {
         'marker',
         { position: [-3, 2.2, 0], scale: [0.3, 0.5, 0.1] },
         mesh('marker', { colour: [0, 0, 0], emissive: [0, 1, 0] }),
-        component('Animation', 'marker-2', { clip: 'Crosses', loop: false }),
+        component('Animation', 'marker-2', { clip: 'Crosses', wrap: 'once' }),
       ),
       ...boxes,
     ],

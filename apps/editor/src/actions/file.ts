@@ -109,6 +109,12 @@ export const saveFilm: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'film' }),
 };
 
+export const choosePicture: Action = {
+  id: 'file.thumbnail',
+  label: 'Use this view as the scene’s picture',
+  run: async (editor) => (await import('../files/recent/scenePicture')).choosePicture(editor),
+};
+
 export const letAgentEdit: Action = {
   id: 'file.agent',
   label: 'Let an agent edit…',

@@ -14,6 +14,7 @@ import type { PathLike } from './FilePath';
 import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
 import { readValues } from './readComponent';
 import { readMicroShaders } from './readMicroShaders';
+import { readPicture } from './readPicture';
 import { readViews } from './readViews';
 import { migrateFile } from './migrateFile';
 import { OwnAssets } from './OwnAssets';
@@ -118,7 +119,7 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
 
 const headKeys = [
   ...['$schema', 'format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'assetFolders', 'prefabs'],
-  ...['microShaders', 'views', 'objects'],
+  ...['microShaders', 'views', 'picture', 'objects'],
 ];
 
 /**
@@ -146,6 +147,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
       ? {}
       : { microShaders: readMicroShaders(raw.microShaders, 'microShaders', problems) }),
     ...(raw.views === undefined ? {} : { views: readViews(raw.views, 'views', problems) }),
+    ...(raw.picture === undefined ? {} : { picture: readPicture(raw.picture, 'picture', problems) }),
     ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };

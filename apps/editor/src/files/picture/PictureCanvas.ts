@@ -5,6 +5,9 @@ import { OrthographicCamera, PerspectiveCamera } from 'three';
 import type { EditorApi } from '../../api/EditorApi';
 import { nextTask } from './nextTask';
 
+/** How often a picture is drawn anew that was ready and yet asks for another frame, as an effect of a plugin always may. */
+const ATTEMPTS = 4;
+
 /** A three camera that pictures are drawn with. */
 export type Eye = PerspectiveCamera | OrthographicCamera;
 
@@ -47,26 +50,27 @@ export function shownEye({ viewport }: EditorApi): {
  */
 export class PictureCanvas {
   private readonly before;
+  private width = 1;
+  private height = 1;
 
   /** @param isTransparent - whether nothing lies behind the objects, in place of the scene's background */
   constructor(
     private readonly editor: EditorApi,
     private readonly isTransparent = false,
   ) {
-    const { webgl, farol, loop, size, canvas } = editor.viewport;
+    const { webgl, farol, loop, canvas } = editor.viewport;
     this.before = {
-      ...{ ratio: webgl.getPixelRatio(), clearAlpha: webgl.getClearAlpha(), size: { ...size } },
+      ...{ ratio: webgl.getPixelRatio(), clearAlpha: webgl.getClearAlpha() },
       ...{ budget: farol.budget, technique: farol.technique, fit: canvas.style.objectFit },
     };
     loop.stop();
     canvas.style.objectFit = 'contain';
   }
 
-  /** Pixels of the canvas. */
+  /** Sets the size of the pictures to come (pixels). */
   setSize(width: number, height: number): void {
-    const { webgl } = this.editor.viewport;
-    webgl.setPixelRatio(1);
-    webgl.setSize(width, height, false);
+    this.width = width;
+    this.height = height;
   }
 
   /** Keeps to the technique that drew last, so that no picture of a series is another one's. */
@@ -101,13 +105,13 @@ export class PictureCanvas {
   async drawComplete(eye: Eye, component: CameraComponent | null, signal: AbortSignal): Promise<void> {
     const { viewport, document } = this.editor;
     const { picture } = viewport;
-    for (;;) {
+    for (let left = ATTEMPTS; ; left--) {
       const { assets, settings } = document.scene;
       if (!assets.isSettled) await assets.settled();
       await settings.skyReady;
       signal.throwIfAborted();
       this.draw(eye, component);
-      if (picture.isComplete) return;
+      if (picture.isComplete || left === 0) return;
       await this.settle(eye, component, signal);
     }
   }
@@ -115,8 +119,8 @@ export class PictureCanvas {
   /** Gives the canvas back to the viewport. */
   giveBack(): void {
     const { viewport } = this.editor;
-    const { webgl, farol, canvas } = viewport;
-    const { ratio, size, budget, technique, fit } = this.before;
+    const { webgl, farol, canvas, size } = viewport;
+    const { ratio, budget, technique, fit } = this.before;
     farol.budget = budget;
     if (farol.technique !== technique) farol.technique = technique;
     canvas.style.objectFit = fit;
@@ -129,10 +133,10 @@ export class PictureCanvas {
   /** Draws whatever frames `PictureRenderer.ready` asks for, until it is. */
   private async settle(eye: Eye, component: CameraComponent | null, signal: AbortSignal): Promise<void> {
     const { loop, picture } = this.editor.viewport;
-    let isReady = false;
-    const ready = picture.ready.finally(() => (isReady = true));
+    const wait = { isOver: false };
+    const ready = picture.ready.finally(() => (wait.isOver = true));
     ready.catch(() => {}); // told by the last line, unless the work is ended before
-    while (!isReady) {
+    while (!wait.isOver) {
       signal.throwIfAborted();
       if (loop.pending > 0) {
         loop.pending--;
@@ -146,8 +150,14 @@ export class PictureCanvas {
 
   private begin(): void {
     const { viewport, document } = this.editor;
-    viewport.picture.follow(document.scene);
-    viewport.farol.budget = null;
+    const { webgl, canvas, picture, farol } = viewport;
+    if (canvas.width !== this.width || canvas.height !== this.height) {
+      // also after the window was resized meanwhile
+      webgl.setPixelRatio(1);
+      webgl.setSize(this.width, this.height, false);
+    }
+    picture.follow(document.scene);
+    farol.budget = null;
   }
 
   private drawOnce(eye: Eye, component: CameraComponent | null): void {

@@ -235,4 +235,10 @@ export const picture: Texts = {
   'Making the film': 'Haciendo la película',
   'Frame {frame} of {count}': 'Fotograma {frame} de {count}',
   'Frame {frame} of {count}, about {left} left': 'Fotograma {frame} de {count}, faltan unos {left}',
+  'Use this view as the scene’s picture': 'Usar esta vista como imagen de la escena',
+  'Chose the scene’s picture': 'Elegida la imagen de la escena',
+  'This view is the scene’s picture: lists of files show it once the scene is saved.':
+    'Esta vista es la imagen de la escena: las listas de archivos la muestran cuando se guarda.',
+  'No picture could be made: show the panel Viewport and try again.':
+    'No se pudo hacer una imagen: muestre el panel Vista e inténtelo otra vez.',
 };

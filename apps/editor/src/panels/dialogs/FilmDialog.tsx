@@ -80,7 +80,7 @@ interface ChoiceRowProps<T extends string> {
 
 function ChoiceRow<T extends string>(props: ChoiceRowProps<T>): ReactNode {
   return (
-    <div className="tool-row">
+    <div className="dialog-row">
       <span aria-hidden="true">{props.label}</span>
       <SelectBox {...props} />
     </div>
@@ -159,7 +159,7 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           options={shots}
           onChange={(next) => set({ shot: next, plays: next !== 'turntable' && next !== 'path' })}
         />
-        <div className="tool-row">
+        <div className="dialog-row">
           <span aria-hidden="true">{t('The scene plays')}</span>
           <Toggle value={plays} label={t('The scene plays')} onChange={(next) => set({ plays: next })} />
         </div>
@@ -225,7 +225,7 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           onChange={(next) => set({ format: next as FilmFormatName })}
         />
         {codec === null ? (
-          <div className="tool-row">
+          <div className="dialog-row">
             <span aria-hidden="true">{t('Without background')}</span>
             <Toggle
               value={isTransparent}

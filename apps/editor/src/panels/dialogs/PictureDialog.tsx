@@ -44,7 +44,7 @@ export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
         {t('The scene as it is seen now, without grid, icons and handles, as a PNG.')}
       </Dialog.Description>
       <PixelSize offered={offered} value={size} max={max} onChange={setSize} />
-      <div className="tool-row">
+      <div className="dialog-row">
         <span aria-hidden="true">{t('Without background')}</span>
         <Toggle value={isTransparent} label={t('Without background')} onChange={setTransparent} />
       </div>
