@@ -117,10 +117,12 @@ export async function decode(
   name: string,
   keeps = true,
 ): Promise<{ times: number[]; markers: number[]; size: [number, number] }> {
-  if (!(await page.evaluate(() => 'Mediabunny' in window)))
-    await page.evaluate(
-      readFileSync(libraries.resolve('mediabunny').replace('.cjs', '.min.cjs').replace('.node', ''), 'utf8'),
-    );
+  if (!(await page.evaluate(() => 'Mediabunny' in window))) {
+    const path = libraries.resolve('mediabunny').replace('.node.cjs', '.min.cjs');
+    // a copy of its own beside the editor's, which only writes
+    await page.evaluate(`delete globalThis[Symbol.for('mediabunny loaded')]; ${readFileSync(path, 'utf8')};
+      window.Mediabunny = Mediabunny; 0`);
+  }
   return page.evaluate(
     async ([base64, key, isKept]) => {
       const { ALL_FORMATS, BufferSource, Input, VideoSampleSink } = window.Mediabunny;

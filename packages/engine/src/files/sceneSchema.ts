@@ -1,6 +1,7 @@
 import { allowedBy, type Field, type FieldTable, MOST_KEYS } from '@farol/editing/fields';
 import { fieldAssetFields } from '../assets/fieldAssetTypes';
 import { builtinComponents } from '../components/index';
+import { LONGEST_PICTURE } from '../core/ScenePicture';
 import { MOST_VIEWS, type SceneView } from '../core/SceneViews';
 import { sceneFields } from '../settings/SceneSettings';
 import {

@@ -198,6 +198,8 @@ export const picture: Texts = {
     'Alrededor de la selección, o de la escena, desde la vista actual.',
   'The scene plays': 'La escena se reproduce',
   Turns: 'Vueltas',
+  From: 'Desde',
+  To: 'Hasta',
   'Frames a second': 'Fotogramas por segundo',
   'Other…': 'Otra…',
   'Other rate': 'Otra frecuencia',
