@@ -30,7 +30,7 @@ export async function keepPicture(editor: EditorApi, fileName: string): Promise<
   if (picture && editor.document.scene === scene) scene.picture = picture;
 }
 
-/** Has the scene keep the present view as its picture, as a step of the history. @throws Error when none can be made */
+/** Makes the present view the picture that the scene keeps, as a step of the history. @throws Error when none can be made */
 export async function choosePicture(editor: EditorApi): Promise<void> {
   const { commands, document, notices } = editor;
   const { scene } = document;
