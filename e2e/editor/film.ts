@@ -110,12 +110,16 @@ declare global {
   }
 }
 
-/** Decodes every frame of a film, in the page. @returns their times (s) and the marker's place in each (pixels) */
+/**
+ * Decodes every frame of a film, in the page.
+ * @param kept - frames whose pixels the page keeps; all when absent
+ * @returns their times (s) and the marker's place in each (pixels)
+ */
 export async function decode(
   page: Page,
   film: Buffer,
   name: string,
-  keeps = true,
+  kept?: readonly number[],
 ): Promise<{ times: number[]; markers: number[]; size: [number, number] }> {
   if (!(await page.evaluate(() => 'Mediabunny' in window))) {
     const path = libraries.resolve('mediabunny').replace('.node.cjs', '.min.cjs');
@@ -124,7 +128,7 @@ export async function decode(
       window.Mediabunny = Mediabunny; 0`);
   }
   return page.evaluate(
-    async ([base64, key, isKept]) => {
+    async ([base64, key, indices]) => {
       const { ALL_FORMATS, BufferSource, Input, VideoSampleSink } = window.Mediabunny;
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       const input = new Input({ source: new BufferSource(bytes), formats: ALL_FORMATS });
@@ -149,12 +153,12 @@ export async function decode(
           count++;
         }
         markers.push(sum / count);
-        if (isKept) frames.push(data);
+        if (!indices || indices.includes(times.length - 1)) frames[times.length - 1] = data;
       }
       (window.films ??= {})[key] = frames;
       return { times, markers, size };
     },
-    [film.toString('base64'), name, keeps] as const,
+    [film.toString('base64'), name, kept] as const,
   );
 }
 
