@@ -25,6 +25,7 @@ import {
 } from './display';
 import { deselect, duplicate, redo, remove, selectAll, undo } from './edit';
 import {
+  choosePicture,
   exportScene,
   letAgentEdit,
   measure,
@@ -32,6 +33,7 @@ import {
   open,
   openExamples,
   openOnPhone,
+  saveFilm,
   savePicture,
   recentActions,
   recover,
@@ -83,7 +85,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
     open: [open],
     save: [save, saveAs],
-    share: [exportScene, savePicture, openOnPhone, letAgentEdit, measure],
+    share: [exportScene, savePicture, saveFilm, choosePicture, openOnPhone, letAgentEdit, measure],
     recover: [recover],
   },
   edit: {
