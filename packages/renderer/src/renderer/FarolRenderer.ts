@@ -28,6 +28,7 @@ import { countMemory } from './countMemory';
 import type { XRDraws } from './xr/XRDraws';
 import { createRegistry } from './createRegistry';
 import { updateCamera } from './sceneCallbacks';
+import type { Session } from '../frame/Session';
 import { SceneDraws } from './SceneDraws';
 import { SceneView } from './SceneView';
 import type { TechniqueName } from '../techniques';
@@ -223,15 +224,24 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    *   While an XR session presents, each eye draws, and the camera follows the head, as in three
    */
   render(scene: Object3D, camera: Camera): void {
+    this.renderIn(null, scene, camera);
+  }
+
+  /** Draws as `render` does, in a session that is not of XR. @returns parts of the code that the frame lacked @internal */
+  renderIn(session: Session | null, scene: Object3D, camera: Camera): ReadonlySet<Lazy<object>> {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
     const { webgl } = this;
-    if (webgl.getContext().isContextLost()) return;
-    if (this.isDrawing) return webgl.render(scene, camera);
+    const { lacking } = this.last;
+    if (webgl.getContext().isContextLost()) return lacking;
+    if (this.isDrawing) {
+      webgl.render(scene, camera);
+      return lacking;
+    }
     this.isDrawing = true;
     const outer = this.last.begin();
     try {
       if (webgl.xr.enabled) this.xr ??= xrCode.use((code) => new code.XRDraws(webgl));
-      if (!webgl.xr.enabled || !webgl.xr.isPresenting) drawCameras(webgl, scene, camera, null, this.drawScene);
+      if (!webgl.xr.enabled || !webgl.xr.isPresenting) drawCameras(webgl, scene, camera, session, this.drawScene);
       else if (this.xr === null) webgl.render(scene, camera);
       else this.xr.render(scene, camera, this.multiview, this.drawScene);
       this.last.end();
@@ -241,6 +251,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       // a callback of the host has disposed of this renderer
       if (this.disposed) this.end();
     }
+    return lacking;
   }
 
   private readonly drawScene: DrawByCamera = (scene, camera, update, updatesCamera, seenBy, session): void => {
@@ -259,7 +270,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     const { target, face, level } = frame;
     const { toneMapping } = webgl;
     let done = false;
-    const effects = frame.view === 'final' ? this.effectList.of(target, session !== null) : NO_EFFECTS;
+    const effects =
+      frame.view === 'final' ? (session?.effects ?? this.effectList.of(target, session !== null)) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
     draws.begin(sceneView, effects, this);
     try {
