@@ -76,6 +76,19 @@ export const measureLight: Action = {
   checked: ({ tools }) => tools.current?.id === 'light-meter',
 };
 
+/** Opens the tool that tells of which lights a clicked pixel is made. */
+export const explainPixel: Action = {
+  id: 'view.explain-pixel',
+  label: 'Explain a pixel',
+  keys: ['Shift+M'],
+  async run({ viewport, tools }) {
+    if (tools.current?.id === 'pixel-lighting') return void tools.end();
+    const { PixelLightingTool } = await import('../viewport/pixelLighting/PixelLightingTool');
+    tools.open(new PixelLightingTool(viewport));
+  },
+  checked: ({ tools }) => tools.current?.id === 'pixel-lighting',
+};
+
 /** Shows how much light falls on surfaces, by false colours. */
 export const showIlluminance: Action = {
   id: 'view.illuminance',

@@ -53,6 +53,8 @@ export interface OtherShare {
 /** Surface that a pixel shows. */
 export interface PixelSurface {
   readonly object: Object3D;
+  /** Index of the instance of an InstancedMesh; null for other objects. */
+  readonly instanceId: number | null;
   readonly material: Material;
   /** Point that the pixel shows (m, world space). */
   readonly point: Vector3;

@@ -16,8 +16,8 @@ export function surfacesAt(root: Object3D, camera: Camera, x: number, y: number)
   for (const hit of raycaster.intersectObject(root)) {
     const material = materialOf(hit);
     if (material === null || !material.visible || !isVisible(hit.object)) continue;
-    const { object, point, distance } = hit;
-    surfaces.push({ object, material, point, distance });
+    const { object, point, distance, instanceId = null } = hit;
+    surfaces.push({ object, instanceId, material, point, distance });
     const { transmission = 0 } = material as Material & { transmission?: number };
     if (!material.transparent && transmission === 0) break;
   }
