@@ -1,7 +1,10 @@
-import type { TechniqueName } from '@farol/renderer';
+import type { FarolEffect, TechniqueName } from '@farol/renderer';
+import { AmbientOcclusion } from '@farol/renderer/ambient-occlusion';
 import { LightField } from '@farol/renderer/light-field';
 import { setLightOptions } from '@farol/renderer/light-options';
+import { LightProbes, ProbeGrid, setBakedSurroundings } from '@farol/renderer/light-probes';
 import { explainPixel, type PixelLighting } from '@farol/renderer/pixel-lighting';
+import { WeightedBlendedOIT } from '@farol/renderer/transparency';
 import * as THREE from 'three';
 import { Bench } from './Bench';
 import { noiseTexture, random } from './materialScene';
@@ -15,6 +18,7 @@ const HEIGHT = 64;
 interface PixelScene {
   readonly scene: THREE.Scene;
   readonly camera: THREE.Camera;
+  readonly effects?: readonly FarolEffect[];
 }
 
 function room(materials: readonly THREE.Material[]): PixelScene {
@@ -61,8 +65,42 @@ function lamps(scene: THREE.Scene, count: number, range: number, intensity = 6):
 const standard = (options: THREE.MeshStandardMaterialParameters = {}): THREE.MeshStandardMaterial =>
   new THREE.MeshStandardMaterial({ color: 0xccbbaa, roughness: 0.6, ...options });
 
+/** A floor in the sun, with a board above its middle, and a lamp without a shadow beside it. */
+function board(): PixelScene {
+  const scene = new THREE.Scene();
+  const floor = new THREE.Mesh(new THREE.PlaneGeometry(8, 8), standard());
+  floor.rotation.x = -Math.PI / 2;
+  const shade = new THREE.Mesh(new THREE.BoxGeometry(1.6, 0.1, 1.6), floor.material);
+  shade.position.y = 1.6;
+  shade.castShadow = true;
+  floor.receiveShadow = true;
+  const sun = new THREE.DirectionalLight(0xffeedd, 1);
+  sun.position.set(0, 6, 0);
+  sun.castShadow = true;
+  const lamp = new THREE.PointLight(0x80a0ff, 3, 6);
+  lamp.position.set(1.5, 1, 0);
+  scene.add(floor, shade, sun, lamp);
+  const camera = new THREE.PerspectiveCamera(50, WIDTH / HEIGHT, 0.1, 50);
+  camera.position.set(0, 1, 4);
+  camera.lookAt(0, 0, 0);
+  return { scene, camera };
+}
+
 /** Scenes whose pixels are taken apart, each of light of other kinds. */
 export const pixelScenes: Readonly<Record<string, (bench: Bench) => PixelScene>> = {
+  board,
+  effects: () => {
+    const made = room([standard(), standard({ transparent: true, opacity: 0.6 }), standard({ color: 0x88aadd })]);
+    const { scene } = made;
+    scene.add(new THREE.AmbientLight(0xffffff, 0.6));
+    lamps(scene, 3, 6);
+    const grid = new ProbeGrid(
+      { min: [-4, 0, -4], max: [4, 4, 4], counts: [2, 2, 2] },
+      new Float32Array(8 * 27).map((_value, i) => (i % 27 < 3 ? 0.3 + (i % 5) * 0.05 : 0)),
+    );
+    setBakedSurroundings(scene, { grid, hasSky: false });
+    return { ...made, effects: [new AmbientOcclusion(), new LightProbes(), new WeightedBlendedOIT()] };
+  },
   shadows: () => shadowScene(WIDTH, HEIGHT, { caster: 'mixed' }),
   surroundings: (bench) => {
     const made = room([
@@ -82,9 +120,9 @@ export const pixelScenes: Readonly<Record<string, (bench: Bench) => PixelScene>>
   field: () => {
     const made = room([standard(), new THREE.MeshLambertMaterial({ color: 0xbbccdd })]);
     const next = random(11);
-    const field = new LightField(400, { spots: true });
-    for (let i = 0; i < 400; i++) {
-      field.setPoint(i, next() * 10 - 5, 0.2 + next() * 2, next() * 8 - 5, 1.2, 0.3 * next(), 0.3 * next(), 0.2);
+    const field = new LightField(120, { spots: true });
+    for (let i = 0; i < 120; i++) {
+      field.setPoint(i, next() * 10 - 5, 0.2 + next() * 2, next() * 8 - 5, 1.6, 0.3 * next(), 0.3 * next(), 0.2);
       if (i % 4 === 0) field.setCone(i, next() - 0.5, -1, next() - 0.5, 0.8, 0.5);
     }
     field.position.y = 0.1;
@@ -146,7 +184,7 @@ export const pixelScenes: Readonly<Record<string, (bench: Bench) => PixelScene>>
   },
   many: () => {
     const made = room([standard()]);
-    lamps(made.scene, 600, 0.8, 0.5);
+    lamps(made.scene, 200, 1, 0.5);
     return made;
   },
   layered: () => {
@@ -187,6 +225,8 @@ export interface PixelCheck {
   /** Shares of the light of lights, by their numbers, of all pixels. */
   readonly lights: number;
   readonly others: readonly string[];
+  /** Effects that the parts were drawn without. */
+  readonly leftOut: readonly string[];
   /** Programs that were compiled for the second pixel and those after it. */
   readonly programs: number;
 }
@@ -198,8 +238,9 @@ export async function checkPixels(
   technique: TechniqueName,
   count: number,
 ): Promise<PixelCheck> {
-  const { scene, camera } = pixelScenes[name](bench);
+  const { scene, camera, effects = [] } = pixelScenes[name](bench);
   const { farol, webgl } = bench;
+  farol.effects = effects;
   bench.setSize(WIDTH, HEIGHT);
   webgl.shadowMap.enabled = true;
   farol.technique = technique;
@@ -209,6 +250,7 @@ export async function checkPixels(
   let at = '';
   let lights = 0;
   let programs = 0;
+  let leftOut: readonly string[] = [];
   const others = new Set<string>();
   for (let i = 0; i < count; i++) {
     const x = Math.floor(next() * WIDTH);
@@ -218,15 +260,45 @@ export async function checkPixels(
     const lighting: PixelLighting = await explainPixel(farol, scene, camera, pointer);
     if (i > 0) programs += webgl.info.programs!.length - made;
     const { sum } = lighting;
+    leftOut = lighting.effectsLeftOut;
     const pixel = [...picture.data.subarray((y * WIDTH + x) * 4, (y * WIDTH + x) * 4 + 3)];
     const bright = Math.max(1, ...pixel);
     const off = Math.max(...[sum.r, sum.g, sum.b].map((value, k) => Math.abs(value - pixel[k]))) / bright;
     if (off > difference) {
       difference = off;
-      at = `${x}, ${y}: ${[sum.r, sum.g, sum.b]} for ${pixel}; ${JSON.stringify(lighting.others.map(({ kind, color }) => [kind, ...color.toArray()]))} ${JSON.stringify(lighting.lights.map(({ light, color, unshadowed }) => [light.type, ...color.toArray(), ...unshadowed.toArray()]))}`;
+      const shares = [...lighting.others, ...lighting.lights].map((each) => [
+        'kind' in each ? each.kind : each.light.type,
+        ...each.color.toArray(),
+      ]);
+      at = `${x}, ${y}: ${sum.toArray()} for ${pixel} by ${JSON.stringify(shares)}`;
     }
     lights += lighting.lights.length;
     for (const { kind } of lighting.others) others.add(kind);
   }
-  return { scene: name, technique, difference, at, lights, others: [...others], programs };
+  return { scene: name, technique, difference, at, lights, others: [...others], leftOut, programs };
+}
+
+/** Takes the pixel under the board apart: what its lights give, and whether the host's objects are as before. */
+export async function shadedPixel(bench: Bench): Promise<{
+  shaded: { type: string; color: number[]; unshadowed: number[]; share: number; distance: number | null }[];
+  kept: boolean;
+  changed: boolean;
+}> {
+  const { scene, camera } = board();
+  const { farol, webgl } = bench;
+  bench.draw(() => farol.render(scene, camera));
+  const state = (): string => JSON.stringify([scene.toJSON(), farol.technique, farol.view, webgl.autoClear]);
+  const before = state();
+  webgl.setRenderTarget(bench.target);
+  // the middle of the floor
+  const { lights, changed } = await explainPixel(farol, scene, camera, { x: 0, y: 0 });
+  const kept = state() === before && webgl.getRenderTarget() === bench.target;
+  webgl.setRenderTarget(null);
+  return {
+    shaded: lights.map(({ light, color, unshadowed, share, distance }) => ({
+      ...{ type: light.type, color: color.toArray(), unshadowed: unshadowed.toArray(), share, distance },
+    })),
+    kept,
+    changed,
+  };
 }

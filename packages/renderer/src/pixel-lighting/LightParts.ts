@@ -23,6 +23,8 @@ export const isAmbient = (light: Light): boolean => {
 /** Lights that may reach what a camera sees, one by one, and the objects that draw any of them. */
 export class LightParts {
   readonly all: LightPart[] = [];
+  /** Lights that take light away, which no picture shows without others. */
+  readonly negative: LightPart[] = [];
   /** Fields with some lights of each of the host's. */
   private readonly copies = new Map<LightField, LightField>();
   private readonly planes = new Float64Array(24);
@@ -37,7 +39,7 @@ export class LightParts {
     this.space = { view: camera.matrixWorldInverse, projection, planes: this.planes };
     for (const light of lights) {
       if ((light as LightField).isLightField) this.addField(light as LightField);
-      else if (this.mayReach(light)) this.all.push({ light, index: null });
+      else if (this.mayReach(light)) (takesLight(light) ? this.negative : this.all).push({ light, index: null });
     }
   }
 
@@ -91,6 +93,10 @@ export class LightParts {
     copy.matrixWorld.copy(field.matrixWorld);
     this.copies.set(field, copy);
   }
+}
+
+function takesLight({ color: { r, g, b }, intensity }: Light): boolean {
+  return Math.min(r * intensity, g * intensity, b * intensity) < 0;
 }
 
 function copyLight(from: LightField, light: number, to: LightField, at: number): void {

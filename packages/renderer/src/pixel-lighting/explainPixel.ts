@@ -27,6 +27,9 @@ type Measure = Omit<LightShare, 'share'> | Omit<OtherShare, 'share'>;
  * ambient occlusion, points); many lights in groups. The page has its turn meanwhile; keep the scene as it is until the promise is
  * fulfilled. Nothing is drawn to the host's target, and the host's objects are as before whenever its code runs.
  *
+ * @example
+ * const { lights } = await explainPixel(farol, scene, camera, { x: 0, y: 0 });
+ * for (const { light, share, distance } of lights) console.log(light.name, share, distance);
  * @param pointer - place in the picture, as `Raycaster.setFromCamera` takes it: -1 to 1 from left to right, from below to above
  * @throws Error in XR sessions, for an ArrayCamera, on a device without float targets, before a first frame was drawn by 'auto', and
  *   when the context is lost; RangeError for a pointer outside of the picture
@@ -199,6 +202,15 @@ class PixelWork {
     return this.picture.draw(lights, isUnshadowed).sub(this.dark);
   }
 
+  /** Light that a light takes from that of the others. */
+  private takenBy(light: Light): Pick<LightShare, 'color' | 'unshadowed'> {
+    const { picture } = this;
+    const others = picture.parts.found.filter((each) => each !== light);
+    const taken = (isUnshadowed: boolean): Color =>
+      picture.draw(null, isUnshadowed).sub(picture.draw(others, isUnshadowed));
+    return { color: taken(false), unshadowed: taken(true) };
+  }
+
   private *measure(point: Vector3 | null): Generator<number, Measure[]> {
     const { picture, dark } = this;
     const measures: Measure[] = [];
@@ -244,18 +256,20 @@ class PixelWork {
     const local = picture.parts.found.filter((light) => !isAmbient(light));
     const lights = new LightParts(local, picture.camera);
     const measure = (parts: readonly LightPart[]): Color => this.lightOf(lights.lightsOf(parts), true);
-    const groups = yield* brightestParts(lights.all, measure, most);
+    for (const part of lights.negative) {
+      measures.push({ ...part, ...this.takenBy(part.light), distance: distanceOf(part, point) });
+      yield 0;
+    }
+    const { single, rest } = yield* brightestParts(lights.all, measure, most);
     const shadowed = shadowedLights(farol.webgl);
-    const rest: LightPart[] = [];
-    for (const { parts, color: unshadowed } of groups) {
-      if (parts.length > 1) rest.push(...parts);
-      else {
-        const [part] = parts;
-        const casts = part.index === null && hasShadowMap(part.light, shadowed);
-        const color = casts ? this.lightOf([part.light], false) : unshadowed.clone();
-        measures.push({ ...part, color, unshadowed, distance: distanceOf(part, point) });
-        if (casts) yield 1;
-      }
+    for (const {
+      parts: [part],
+      color: unshadowed,
+    } of single) {
+      const casts = part.index === null && hasShadowMap(part.light, shadowed);
+      const color = casts ? this.lightOf([part.light], false) : unshadowed.clone();
+      measures.push({ ...part, color, unshadowed, distance: distanceOf(part, point) });
+      if (casts) yield 1;
     }
     if (rest.length === 0) return;
     const color = this.lightOf(lights.lightsOf(rest), false);
