@@ -46,7 +46,7 @@ async function makeScene(page: Page): Promise<{ x: number; y: number }[]> {
   });
 }
 
-test('a pixel tells of its lights, in the light and in a shadow; a row selects its light, a button the material’s object', async ({
+test('a pixel tells of its lights, in the light and in a shadow; a row selects its light, a button the material’s object @verify', async ({
   page,
 }) => {
   const places = await makeScene(page);

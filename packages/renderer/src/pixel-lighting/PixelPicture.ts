@@ -24,8 +24,11 @@ const WINDOW = 16;
 type Line = LineSegments & { readonly material: { readonly isLineMaterial?: boolean } };
 
 /** Size of points and thick lines goes by the target; points whose middle is outside are clipped. */
-const goesByTarget = ({ object, ownShader }: RenderItem): boolean =>
-  ownShader || (object as Points).isPoints === true || (object as Line).material.isLineMaterial === true;
+const goesByTarget = ({ object }: RenderItem): boolean =>
+  (object as Points).isPoints === true || (object as Line).material.isLineMaterial === true;
+
+/** A shader of the host's may read its place in the picture. */
+const hasOwnShader = ({ ownShader }: RenderItem): boolean => ownShader;
 
 /** One pixel of a picture, drawn by any lights of the scene: alone in a small window of the picture where that is the same. */
 export class PixelPicture {
@@ -75,7 +78,10 @@ export class PixelPicture {
     return lacking;
   }
 
-  /** Finds whether a window shows the pixel as the picture does. Call when the whole picture was drawn last. */
+  /**
+   * Finds whether a window shows the pixel as the picture does. Call when the whole picture was drawn last; if so, the window was
+   * drawn when it returns.
+   */
   chooseWindow(): void {
     const { parts, farol, technique } = this;
     const { queue } = parts.frame!;
@@ -87,6 +93,9 @@ export class PixelPicture {
       (technique === 'inferred' && farol.inferredScale < 1) ||
       (background?.isTexture === true && background.mapping === 300) ||
       this.items.some(goesByTarget);
+    if (this.isWhole) return;
+    this.draw(null);
+    this.isWhole = this.items.some(hasOwnShader);
   }
 
   /** The pixel in the whole picture that was drawn last. */

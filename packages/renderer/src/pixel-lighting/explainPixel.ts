@@ -148,11 +148,7 @@ class PixelWork {
     const { picture, scene, camera } = this;
     picture.drawWhole();
     picture.chooseWindow();
-    // items of the picture that is drawn for each light
-    if (!picture.isWhole) picture.draw(null);
     this.terms = findTerms(scene, picture.items, new Set(picture.parts.found), camera.layers);
-    // a custom shader at the pixel may read its place in the picture
-    picture.chooseWindow();
   }
 
   /** Runs draws without yielding to the host, for a while at a time, with all that is no managed light turned off. */
