@@ -11,7 +11,6 @@ import {
   type Texture,
   WebGLRenderTarget,
 } from 'three';
-import type { Lazy } from '../frame/Lazy';
 import type { RenderItem } from '../frame/RenderItem';
 import type { FarolRenderer } from '../renderer/FarolRenderer';
 import type { TechniqueName } from '../techniques';
@@ -64,18 +63,14 @@ export class PixelPicture {
     return [...opaque, ...transmissive, ...transparent];
   }
 
-  /**
-   * Draws the whole picture, and so brings lights and shadow maps up to date.
-   * @returns parts of the code that it lacked
-   */
-  drawWhole(): ReadonlySet<Lazy<object>> {
+  /** Draws the whole picture, and so brings lights and shadow maps up to date. */
+  drawWhole(): void {
     const { parts } = this;
     parts.eye = 0;
     parts.lights = null;
     parts.isUnshadowed = false;
-    const lacking = this.drawTo(this.whole, this.host);
+    this.drawTo(this.whole, this.host);
     parts.eye = 1;
-    return lacking;
   }
 
   /**
@@ -122,7 +117,7 @@ export class PixelPicture {
     this.window.dispose();
   }
 
-  private drawTo(target: WebGLRenderTarget, camera: Camera): ReadonlySet<Lazy<object>> {
+  private drawTo(target: WebGLRenderTarget, camera: Camera): void {
     const { farol, scene, technique } = this;
     const { webgl } = farol;
     const { autoClear, autoClearColor, autoClearDepth, autoClearStencil } = webgl;
@@ -135,8 +130,10 @@ export class PixelPicture {
       if (asked !== technique) farol.technique = technique;
       if (view !== 'final') farol.view = 'final';
       webgl.setRenderTarget(target);
-      return farol.renderIn(this.parts, scene, camera);
+      farol['session'] = this.parts;
+      farol.render(scene, camera);
     } finally {
+      farol['session'] = null;
       webgl.setRenderTarget(before, face, level);
       Object.assign(webgl, { autoClear, autoClearColor, autoClearDepth, autoClearStencil });
       if (asked !== technique) farol.technique = asked;

@@ -50,7 +50,10 @@ test('the brightest of many are told apart, and the others are the rest', () => 
 });
 
 test('draws are bounded, whatever the lights', () => {
-  const { single, rest, draws } = find(new Array<number>(10_000).fill(1), 16);
+  const { single, rest, draws } = find(
+    Array.from({ length: 10_000 }, () => 1),
+    16,
+  );
   expect(draws).toBeLessThan(8 * 16 + 64 + 4);
   expect(single.length + rest.length).toBe(10_000);
 });

@@ -34,9 +34,9 @@ export function* brightestParts<Part>(
   // brightest last
   const known: Measured<Part>[] = [];
   const single: Measured<Part>[] = [];
-  let draws = 8 * most + 64;
+  const draws = { left: 8 * most + 64 };
   const draw = (group: readonly Part[]): void => {
-    draws--;
+    draws.left--;
     const color = measure(group);
     const brightness = brightnessOf(color);
     if (brightness === 0) return;
@@ -47,7 +47,7 @@ export function* brightestParts<Part>(
   const total = known.length > 0 ? brightnessOf(known[0].color) : 1;
   let found = 0;
   yield 0;
-  while (known.length > 0 && single.length < most && draws > 0) {
+  while (known.length > 0 && single.length < most && draws.left > 0) {
     const brightest = known.pop()!;
     const { length } = brightest.parts;
     if (length === 1) {

@@ -101,6 +101,7 @@ class PixelWork {
     const surfaces = surfacesAt(scene, camera, pointer.x, pointer.y);
     const point = surfaces.at(-1)?.point ?? null;
     const measures = await this.inSlices(this.measure(point));
+    this.throwIfOver();
     options.onProgress?.(1);
     const sum = new Color(0);
     for (const { color } of measures) sum.add(color);
@@ -125,12 +126,12 @@ class PixelWork {
 
   /** Fetches the code that the picture needs. */
   private async fetch(): Promise<void> {
-    for (;;) {
+    const { lacking } = this.farol['last'];
+    do {
       this.throwIfOver();
-      const lacking = this.picture.drawWhole();
-      if (lacking.size === 0 || this.isLost) break;
+      this.picture.drawWhole();
       await Promise.all([...lacking].map((part) => part.load()));
-    }
+    } while (lacking.size > 0);
     this.throwIfOver();
   }
 

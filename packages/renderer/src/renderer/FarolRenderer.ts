@@ -1,6 +1,6 @@
 import { type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
-import { drawCameras, type DrawByCamera } from './drawCameras';
+import { drawCameras, type DrawByCamera, type Session } from './drawCameras';
 import { checkDevice } from '../gpu/checkDevice';
 import { qualities, type Quality } from '../gpu/isWeakDevice';
 import { type View, views } from '../frame/views';
@@ -28,7 +28,6 @@ import { countMemory } from './countMemory';
 import type { XRDraws } from './xr/XRDraws';
 import { createRegistry } from './createRegistry';
 import { updateCamera } from './sceneCallbacks';
-import type { Session } from '../frame/Session';
 import { SceneDraws } from './SceneDraws';
 import { SceneView } from './SceneView';
 import type { TechniqueName } from '../techniques';
@@ -76,6 +75,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private disposed = false;
   /** True within `render`: a nested `render`, called by a host's callback, is then drawn by three. */
   private isDrawing = false;
+  private session: Session | null = null; // of `@farol/renderer/pixel-lighting`, while that draws
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
   private readonly begun = () => this.frame.takeOutputBuffer();
@@ -224,24 +224,15 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    *   While an XR session presents, each eye draws, and the camera follows the head, as in three
    */
   render(scene: Object3D, camera: Camera): void {
-    this.renderIn(null, scene, camera);
-  }
-
-  /** Draws as `render` does, in a session that is not of XR. @returns parts of the code that the frame lacked @internal */
-  renderIn(session: Session | null, scene: Object3D, camera: Camera): ReadonlySet<Lazy<object>> {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
     const { webgl } = this;
-    const { lacking } = this.last;
-    if (webgl.getContext().isContextLost()) return lacking;
-    if (this.isDrawing) {
-      webgl.render(scene, camera);
-      return lacking;
-    }
+    if (webgl.getContext().isContextLost()) return;
+    if (this.isDrawing) return webgl.render(scene, camera);
     this.isDrawing = true;
     const outer = this.last.begin();
     try {
       if (webgl.xr.enabled) this.xr ??= xrCode.use((code) => new code.XRDraws(webgl));
-      if (!webgl.xr.enabled || !webgl.xr.isPresenting) drawCameras(webgl, scene, camera, session, this.drawScene);
+      if (!webgl.xr.enabled || !webgl.xr.isPresenting) drawCameras(webgl, scene, camera, this.session, this.drawScene);
       else if (this.xr === null) webgl.render(scene, camera);
       else this.xr.render(scene, camera, this.multiview, this.drawScene);
       this.last.end();
@@ -251,7 +242,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       // a callback of the host has disposed of this renderer
       if (this.disposed) this.end();
     }
-    return lacking;
   }
 
   private readonly drawScene: DrawByCamera = (scene, camera, update, updatesCamera, seenBy, session): void => {
@@ -270,8 +260,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     const { target, face, level } = frame;
     const { toneMapping } = webgl;
     let done = false;
-    const effects =
-      frame.view === 'final' ? (session?.effects ?? this.effectList.of(target, session !== null)) : NO_EFFECTS;
+    const effects = frame.view === 'final' ? this.effectList.of(target, session) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
     draws.begin(sceneView, effects, this);
     try {
@@ -397,8 +386,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     const { draws, frame, picker } = this;
     picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);
     const technique = this.set.known[picker.active];
-    draws.effects = draws.effectsOf(picker.active);
-    const { all } = draws.effects;
+    const { all } = (draws.effects = draws.effectsOf(picker.active));
     for (const effect of all) effect.picked?.(frame, technique);
     frame.readsFew = technique.readsFew === true && all.length === 0 && frame.view === 'final';
     return technique.lightOrder;
