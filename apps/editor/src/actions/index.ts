@@ -6,6 +6,7 @@ import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import {
   continuous,
+  explainPixel,
   measureDistance,
   measureLight,
   showIlluminance,
@@ -127,7 +128,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     shading: [{ submenu: 'Shading', actions: [...shadings, showShadings] }],
     picture: [],
     show: [showGrid, showPictureEffects, showIcons, showRanges, showColliders],
-    measure: [measureDistance, measureLight, showIlluminance],
+    measure: [measureDistance, measureLight, explainPixel, showIlluminance],
     figures: [continuous, showStatistics],
     panels: [maximiseViewport, maximisePanel, resetPanels],
     window: [
