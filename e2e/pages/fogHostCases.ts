@@ -1,4 +1,4 @@
-import type { TechniqueName } from '@farol/renderer';
+import type { FarolEffect, TechniqueName } from '@farol/renderer';
 import { WeightedBlendedOIT } from '@farol/renderer/transparency';
 import { VolumetricFog } from '@farol/renderer/volumetric-fog';
 import { Particles } from '@farol/renderer/particles';
@@ -236,7 +236,7 @@ interface Veil {
   expected(behind: number, fog: number, passes: number, share: number): number;
   /** Whether it adds light and hides none. */
   readonly isAdded?: boolean;
-  readonly effects?: ConstructorParameters<typeof Set<Bench['farol']['effects'][number]>>[0];
+  readonly effects?: readonly FarolEffect[];
 }
 
 const VALUE = 0.6;

@@ -11,7 +11,11 @@ test('debug', async ({ benchPage: page }) => {
     const image = bench.byTechnique('forward-single-pass', scene, camera);
     out.push([...image.data.subarray((11 * 96 + 71) * 4, (11 * 96 + 71) * 4 + 3)]);
     const l = await explainPixel(farol, scene, camera, at);
-    out.push(l.color.toArray(), l.sum.toArray(), l.lights.map((e) => [e.light.intensity, e.distance, ...e.color.toArray(), ...e.unshadowed.toArray()]));
+    out.push(
+      l.color.toArray(),
+      l.sum.toArray(),
+      l.lights.map((e) => [e.light.intensity, e.distance, ...e.color.toArray(), ...e.unshadowed.toArray()]),
+    );
     const dark = scene.children.find((c) => (c as any).intensity < 0)!;
     dark.visible = false;
     const without = bench.byTechnique('forward-single-pass', scene, camera);

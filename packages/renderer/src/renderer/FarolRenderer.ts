@@ -1,6 +1,7 @@
 import { type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
-import { drawCameras, type DrawByCamera, type Session } from './drawCameras';
+import { drawCameras, type DrawByCamera } from './drawCameras';
+import type { Session } from '../frame/Session';
 import { checkDevice } from '../gpu/checkDevice';
 import { qualities, type Quality } from '../gpu/isWeakDevice';
 import { type View, views } from '../frame/views';
