@@ -166,7 +166,7 @@ export function LibraryPanel(): ReactNode {
       </div>
       <div className="assets-body">
         {items.length === 0 && <p className="assets-empty">{t('Nothing of that name.')}</p>}
-        <ul className="assets-grid">
+        <ul className="assets-grid library-grid">
           {items.map((item, i) => (
             <Fragment key={item.id}>
               {isWhole && item.group !== items[i - 1]?.group && (
