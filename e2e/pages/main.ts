@@ -108,8 +108,12 @@ export interface TestPage {
   chance(): Promise<typeof import('./chance/runScenes')>;
   /** Fetched by the tests that need it. */
   budgetLoad(): Promise<typeof import('./budgetLoad')>;
+  /** Fetched by the tests that need it. */
+  pixelScenes(): Promise<typeof import('./pixelScenes')>;
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
+  /** Fetched by the tests that need it: it brings the demo scenes. */
+  firstLitFrame(): Promise<typeof import('./firstLitFrame')>;
   hostSnapshot: typeof hostSnapshot;
   LateCase: typeof LateCase;
   enlargeSheet: typeof enlargeSheet;
@@ -182,7 +186,9 @@ window.testPage = {
   bake: () => import('@farol/bake'),
   chance: () => import('./chance/runScenes'),
   budgetLoad: () => import('./budgetLoad'),
+  pixelScenes: () => import('./pixelScenes'),
   animatedScene: () => import('./animatedScene'),
+  firstLitFrame: () => import('./firstLitFrame'),
   hostSnapshot,
   enlargeSheet,
   runSheet,

@@ -15,6 +15,7 @@ export const guides = {
     lights: 'Lights and their ranges',
     shadows: 'Shadows',
     'light-fields': 'Lights as data',
+    'pixel-lighting': 'Which lights made this pixel',
     particles: 'Particles',
     baking: 'Baking',
   },
