@@ -9,7 +9,7 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 43,
-  lines: 187_400,
+  lines: 192_000,
 };
 
 /** First words by which a docblock hides its noun. */
