@@ -44,7 +44,7 @@ import { runSettings } from './matrix/runSettings';
 import { enlargeSheet } from './matrix/enlargeSheet';
 import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
-import { drawn, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
+import { drawn, families, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
 /** An empty page for browser tests that build their own scenes: three and the renderer, whole. */
 export interface TestPage {
@@ -116,6 +116,7 @@ export interface TestPage {
   drawn: typeof drawn;
   isSlice: boolean;
   techniqueInTurn: typeof techniqueInTurn;
+  families: typeof families;
   techniquesInTurn: typeof techniquesInTurn;
   Bench: typeof Bench;
   devices: typeof devices;
@@ -186,6 +187,7 @@ window.testPage = {
   drawn,
   isSlice,
   techniqueInTurn,
+  families,
   techniquesInTurn,
   Bench,
   devices,

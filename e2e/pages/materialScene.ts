@@ -151,8 +151,8 @@ export interface MaterialSceneOptions {
   /** Leaves out what no G-buffer holds, so that what is compared is the deferred path alone. */
   onlyDeferred?: boolean;
   fog?: boolean;
-  /** Which mesh of each three in a row is shown; default all. */
-  third?: 0 | 1 | 2;
+  /** Which mesh of each so many in a row is shown; default all. */
+  part?: readonly [which: number, every: number];
   /** Penumbra of every spot light; default: mixed, none hard-edged. */
   penumbra?: number;
 }
@@ -222,9 +222,10 @@ export function materialScene(width: number, height: number, options: MaterialSc
       new THREE.Mesh(sphere, new THREE.MeshPhongMaterial({ color: 0xffffff, transparent: true, opacity: 0.6 })),
     );
   }
+  const [which, every] = options.part ?? [0, 1];
   meshes.forEach((mesh, i) => {
     mesh.position.set(((i % 6) - 2.5) * 1.9, (1 - Math.floor(i / 6)) * 1.9, 0);
-    if (options.third === undefined || i % 3 === options.third) scene.add(mesh);
+    if (i % every === which) scene.add(mesh);
   });
   const floor = new THREE.Mesh(
     new THREE.PlaneGeometry(30, 30),
