@@ -33,7 +33,7 @@ import { LateCase } from './lateCases';
 import { CELL, lineSheet } from './lineSheet';
 import { FogScene } from './fogScene';
 import { floorScene } from './floorScene';
-import { materialScene } from './materialScene';
+import { fewMeshes, materialScene } from './materialScene';
 import { oneParticle } from './oneParticle';
 import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
@@ -76,6 +76,7 @@ export interface TestPage {
   boundsScene: typeof boundsScene;
   privateScene: typeof privateScene;
   materialScene: typeof materialScene;
+  fewMeshes: typeof fewMeshes;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
   floorScene: typeof floorScene;
@@ -155,6 +156,7 @@ window.testPage = {
   boundsScene,
   privateScene,
   materialScene,
+  fewMeshes,
   chunkScene,
   edgeScene,
   floorScene,

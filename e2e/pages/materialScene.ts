@@ -1,5 +1,6 @@
 import * as THREE from 'three';
 import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
+import { isSlice } from './techniquesInTurn';
 
 /** A scene with its camera, ready to draw. */
 export interface TestScene {
@@ -156,6 +157,9 @@ export interface MaterialSceneOptions {
   /** Penumbra of every spot light; default: mixed, none hard-edged. */
   penumbra?: number;
 }
+
+/** Part of the meshes for tests whose subject is no material: in the slice a quarter of them, for fewer programs. */
+export const fewMeshes = isSlice ? ([0, 4] as const) : undefined;
 
 /**
  * Every lit material of three and every kind of mesh, before a floor, under a seeded mix of lights.
