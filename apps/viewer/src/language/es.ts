@@ -1,4 +1,5 @@
 import type { Texts } from '@farol/editing';
+import { viewProblems } from '@farol/editing/es';
 
 /** Spanish of texts that the editor has too, in its words. */
 const shared: Texts = {
@@ -75,6 +76,14 @@ const shared: Texts = {
   'Light count': 'Número de luces',
   Overdraw: 'Sobredibujado',
   Grid: 'Cuadrícula',
+  Motion: 'Movimiento',
+  'Reactive mask': 'Máscara reactiva',
+  'Light buffer': 'Búfer de luz',
+  'Shadow atlas': 'Atlas de sombras',
+  'Image atlas': 'Atlas de imágenes',
+  'Fog light': 'Luz de la niebla',
+  'Fog transmittance': 'Transmitancia de la niebla',
+  Froxels: 'Fróxeles',
   Automatic: 'Automático',
   Full: 'Completa',
   Lite: 'Ligera',
@@ -124,6 +133,7 @@ const shared: Texts = {
 
 /** All texts of the viewer in Spanish, by their English ones. */
 export const es: Texts = {
+  ...viewProblems,
   ...shared,
   'Scene {name}: {problem}': 'Escena {name}: {problem}',
   'The model is being read. Escape cancels.': 'Se está leyendo el modelo. Escape lo cancela.',

@@ -1,7 +1,11 @@
 import type { Texts } from './translate';
+import { viewProblems } from './viewProblems';
+
+export { viewProblems };
 
 /** Spanish texts of this package, by their English ones. */
 export const es: Texts = {
+  ...viewProblems,
   '{count} objects': '{count} objetos',
   object: 'objeto',
   '{verb} {count} objects': '{verb} {count} objetos',

@@ -116,6 +116,14 @@ export const rendering: Texts = {
   Lighting: 'Iluminación',
   'Light count': 'Número de luces',
   Overdraw: 'Sobredibujado',
+  Motion: 'Movimiento',
+  'Reactive mask': 'Máscara reactiva',
+  'Light buffer': 'Búfer de luz',
+  'Shadow atlas': 'Atlas de sombras',
+  'Image atlas': 'Atlas de imágenes',
+  'Fog light': 'Luz de la niebla',
+  'Fog transmittance': 'Transmitancia de la niebla',
+  Froxels: 'Fróxeles',
   'few lights over a pixel: a G-buffer costs more than it saves':
     'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
   'many lights over a pixel: each surface is lit once, by the list of its cluster':
