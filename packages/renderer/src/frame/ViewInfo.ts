@@ -25,7 +25,7 @@ export interface ViewTile {
   light: Light | null;
 }
 
-/** What a view of a buffer shows in the last frame. */
+/** A view of a buffer in the last frame: its parts and scale, or what the frame lacks for it. */
 export interface ViewInfo {
   /** View that is told of. */
   view: View;

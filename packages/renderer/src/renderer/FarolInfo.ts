@@ -53,7 +53,7 @@ export interface FarolInfo {
   gpuMs: number | null;
   /** Scale of the picture and why, by `FarolOptions.budget`; null without one. */
   budget: Readonly<BudgetInfo> | null;
-  /** What a view of a buffer shows, or why it cannot; null for the other views, and while their code is being fetched. */
+  /** Parts of a view of a buffer, or why it cannot be shown; null for the other views, and while their code is being fetched. */
   view: ViewInfo | null;
   /**
    * Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw.

@@ -46,7 +46,7 @@ const textOf = (viewport: Viewport): string =>
     ]),
   );
 
-/** What debug views mean, in each view of the viewport: scales, names of tiles, and how a buffer that is not there is made. */
+/** Legend of debug views, in each view of the viewport: scales, names of tiles, and how a buffer that is not there is made. */
 export function ViewOverlay(): ReactNode {
   const { viewport } = useEditor();
   useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));

@@ -15,7 +15,7 @@ export interface PaneRectangle {
 export class ViewPane {
   rectangle: PaneRectangle = { x: 0, y: 0, width: 1, height: 1 };
   readonly editorCamera: EditorCamera;
-  /** What the view of a buffer that was drawn last shows, or lacks; null for other views. */
+  /** `FarolInfo.view` of the last frame here; null for views of no buffer. */
   shown: ViewInfo | null = null;
 
   /**

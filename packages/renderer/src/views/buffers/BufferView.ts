@@ -12,7 +12,7 @@ export interface BufferView {
   dispose(): void;
 }
 
-/** What a view tells of itself, as it is written. */
+/** A `ViewInfo` as views write it. */
 export interface ShownView extends ViewInfo {
   view: View;
   fullMotion: number;

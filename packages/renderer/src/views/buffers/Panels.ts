@@ -41,7 +41,7 @@ export class Panels {
     return tile;
   }
 
-  /** Has the next draws cover the whole viewport again. */
+  /** Sets the viewport back to the whole of it. */
   end({ webgl, viewport }: Frame): void {
     setViewport(webgl, viewport);
   }

@@ -17,7 +17,7 @@ export interface AtlasTile {
   readonly camera: Camera | null;
 }
 
-/** What lies in an atlas in the frame. */
+/** Contents of an atlas in a frame. */
 export interface AtlasTiles {
   /** Null while nothing is drawn. */
   readonly texture: Texture | null;
