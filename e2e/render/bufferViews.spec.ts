@@ -71,6 +71,39 @@ test('the view of motion has direction and pixels, and leaves no trace; views wi
   expect(watch.forgive(/shows the final picture/)).toBe(7);
 });
 
+test('the view of motion is the same by every technique @verify', async ({ benchPage: page }) => {
+  const rows = await page.evaluate(async (size) => {
+    const { Bench, drawn, effects, farol, three } = window.testPage;
+    await farol.FarolRenderer.preload();
+    const bench = new Bench(size, size);
+    const camera = new three.PerspectiveCamera(90, 1, 0.1, 100);
+    camera.position.z = size / 2;
+    // at this distance a pixel is a metre
+    const plane = new three.Mesh(new three.PlaneGeometry(16, 16), new three.MeshStandardMaterial());
+    const scene = new three.Scene().add(
+      plane,
+      new three.AmbientLight(0xffffff, 2),
+      new three.PointLight(0xffffff, 9, 9),
+    );
+    bench.farol.view = 'motion';
+    return drawn.map((technique) => {
+      bench.farol.effects = [new effects.TAA()];
+      plane.position.x = 0;
+      bench.byTechnique(technique, scene, camera);
+      plane.position.x = 5;
+      const { data } = bench.byTechnique(technique, scene, camera);
+      const at = 4 * ((size / 2) * size + size / 2 + 5);
+      return { technique, value: [...data.slice(at, at + 3)] };
+    });
+  }, SIZE);
+  expect(rows).toHaveLength(10);
+  for (const { technique, value } of rows) {
+    [5 / 16, 0, 0].forEach((wanted, i) =>
+      expect.soft(Math.abs(value[i] - wanted), `${technique}: ${value}`).toBeLessThan(0.002),
+    );
+  }
+});
+
 test('the view of ambient occlusion is the share of light that is left, by every technique that has it @verify', async ({
   benchPage: page,
 }) => {

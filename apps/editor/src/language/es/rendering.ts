@@ -63,8 +63,8 @@ export const rendering: Texts = {
   Views: 'Vistas',
   'Everything that the frame is made of.': 'Todo de lo que se compone el fotograma.',
   'All views at once': 'Todas las vistas a la vez',
-  'Every view beside the others, in the viewport; a click on one shows it alone.':
-    'Cada vista junto a las otras, en la vista 3D; un clic muestra solo esa.',
+  'Views of surfaces, light and counts beside one another; a click on one shows it alone.':
+    'Vistas de superficies, luz y recuentos, unas junto a otras; un clic muestra solo esa.',
   'Heat map maximum': 'Máximo del mapa de calor',
   'Lights, or draws, a pixel at which light count and overdraw are red.':
     'Luces, o llamadas de dibujo, por píxel con los que el número de luces y el sobredibujado son rojos.',

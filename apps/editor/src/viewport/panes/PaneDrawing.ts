@@ -70,7 +70,7 @@ export class PaneDrawing {
     lookThrough?.setViewport(width, height);
     this.drawScene(pane, camera, lookThrough);
     gizmo.update(surface.raysOf(pane), surface.isPlayed);
-    const { view } = surface.farol.info;
+    const view = isPlain(pane.shading) ? null : surface.farol.info.view;
     // the next view overwrites it
     pane.shown = view && { ...view, tiles: view.tiles.map((tile) => ({ ...tile })) };
     if (
