@@ -45,6 +45,8 @@ export default defineConfig({
   ],
   use: {
     viewport: { width: 640, height: 360 },
+    // an element that never comes fails its test, which names it, in place of holding a browser until the test's time is over
+    actionTimeout: 90_000,
     // each context would fetch a whole built app; offline.spec.ts lets them be
     serviceWorkers: 'block',
     trace: 'off',

@@ -46,7 +46,7 @@ try {
           editor.layout.maximise('viewport');
           viewport.showGrid = false;
           viewport.showIcons = false;
-          await new Promise((resolve) => setTimeout(resolve, 3000));
+          await viewport.picture.ready;
           viewport.renderNow();
           // the middle of the picture, in its shape
           const { canvas } = viewport;

@@ -30,6 +30,7 @@ export type { SceneSystem, SceneSystemClass } from './core/SceneSystem';
 export type { CostlyEvents, ObjectPointerEvent } from './core/events';
 export type { MoveOptions } from './core/moveGameObject';
 export type { SceneMicroShaders } from './core/SceneMicroShaders';
+export type { ScenePicture } from './core/ScenePicture';
 export type { SceneView, SceneViews } from './core/SceneViews';
 export type { SceneSettings } from './settings/SceneSettings';
 export type { Vector3Input } from './core/toVector3';

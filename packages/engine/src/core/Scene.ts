@@ -17,6 +17,7 @@ import type { GameObject } from './GameObject';
 import type { SceneChange } from './SceneChange';
 import type { SceneSystem, SceneSystemClass } from './SceneSystem';
 import { SceneIndex } from './SceneIndex';
+import type { ScenePicture } from './ScenePicture';
 import { ScenePointer } from './ScenePointer';
 import { scriptClasses } from './scriptClasses';
 import { SceneBake } from './baked/SceneBake';
@@ -48,6 +49,8 @@ export class Scene implements GameObjectContainer {
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
   /** Views that editors keep with the scene. */
   readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
+  /** Small picture by which editors show the scene's file; null for none. */
+  picture: ScenePicture | null = null;
   /** Baked light of the scene. */
   readonly baked: SceneBake = new SceneBake(this);
   /** Receives errors thrown by components; the other components continue. While null, `update` rethrows. */

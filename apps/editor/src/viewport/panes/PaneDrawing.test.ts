@@ -15,6 +15,7 @@ it('draws grid, icons and handles over the scene, but not while it is played as 
     picture: { draw() {} },
     gizmo: { update, isDragging: false },
     helpers: { render },
+    stamps: { draw: (_scene: object, draw: () => void) => draw() },
     parts: { physics: none, lightHandles: none, particles: none },
     cameraOf: () => null,
     raysOf: () => null,

@@ -4,6 +4,7 @@ import type { Camera, WebGLRenderer } from 'three';
 import type { Gizmo } from '../Gizmo';
 import type { Helpers } from '../Helpers';
 import type { LateParts } from '../LateParts';
+import type { SceneStamps } from '../SceneStamps';
 import type { Painter } from '../Painter';
 import type { PlainShading } from '../shading/PlainShading';
 import { isPlain, techniqueOf, viewOf } from '../shading/Shading';
@@ -19,6 +20,7 @@ export interface PaneSurface {
   readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
+  readonly stamps: SceneStamps;
   readonly parts: Pick<LateParts, 'physics' | 'lightHandles' | 'particles'>;
   readonly painter: Painter | null;
   /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
@@ -68,7 +70,7 @@ export class PaneDrawing {
     const camera = surface.cameraOf(pane);
     const lookThrough = pane === panes.main ? surface.lookThrough : null;
     lookThrough?.setViewport(width, height);
-    this.drawScene(pane, camera, lookThrough);
+    surface.stamps.draw(surface.document.scene.three, () => this.drawScene(pane, camera, lookThrough));
     gizmo.update(surface.raysOf(pane), surface.isPlayed);
     const view = isPlain(pane.shading) ? null : surface.farol.info.view;
     // the next view overwrites it
