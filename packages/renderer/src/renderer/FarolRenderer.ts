@@ -319,7 +319,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
    * light nothing), anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials (three draws the scene),
-   * the views of surfaces and overdraw (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (the
+   * the views of surfaces, overdraw and buffers (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (the
    * one that drew the scene last draws, or one of these two), GPU times, frame budgets, warming programs up ('auto' changes unprepared).
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
