@@ -33,7 +33,7 @@ import { LateCase } from './lateCases';
 import { CELL, lineSheet } from './lineSheet';
 import { FogScene } from './fogScene';
 import { floorScene } from './floorScene';
-import { materialScene } from './materialScene';
+import { fewMeshes, materialScene } from './materialScene';
 import { oneParticle } from './oneParticle';
 import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
@@ -44,7 +44,7 @@ import { runSettings } from './matrix/runSettings';
 import { enlargeSheet } from './matrix/enlargeSheet';
 import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
-import { drawn, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
+import { drawn, families, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
 /** An empty page for browser tests that build their own scenes: three and the renderer, whole. */
 export interface TestPage {
@@ -76,6 +76,7 @@ export interface TestPage {
   boundsScene: typeof boundsScene;
   privateScene: typeof privateScene;
   materialScene: typeof materialScene;
+  fewMeshes: typeof fewMeshes;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
   floorScene: typeof floorScene;
@@ -98,12 +99,18 @@ export interface TestPage {
   addonCases(): Promise<typeof import('./addonCases')>;
   /** Cases of node materials; fetched by the tests that need them. */
   nodeCases(): Promise<typeof import('./nodeCases')>;
+  /** Fog in targets, by cameras and before transparent things; fetched by the tests that need it. */
+  fogHosts(): Promise<typeof import('./fogHostCases')>;
+  /** Lights in fog; fetched by the tests that need them. */
+  fogCases(): Promise<typeof import('./fogLightCases')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;
   /** Fetched by the tests that need it. */
   chance(): Promise<typeof import('./chance/runScenes')>;
   /** Fetched by the tests that need it. */
   budgetLoad(): Promise<typeof import('./budgetLoad')>;
+  /** Fetched by the tests that need it. */
+  pixelScenes(): Promise<typeof import('./pixelScenes')>;
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
   /** Fetched by the tests that need it: it brings the demo scenes. */
@@ -118,6 +125,7 @@ export interface TestPage {
   drawn: typeof drawn;
   isSlice: boolean;
   techniqueInTurn: typeof techniqueInTurn;
+  families: typeof families;
   techniquesInTurn: typeof techniquesInTurn;
   Bench: typeof Bench;
   devices: typeof devices;
@@ -156,6 +164,7 @@ window.testPage = {
   boundsScene,
   privateScene,
   materialScene,
+  fewMeshes,
   chunkScene,
   edgeScene,
   floorScene,
@@ -175,9 +184,12 @@ window.testPage = {
   nodeCases: () => import('./nodeCases'),
   LateCase,
   addonCases: () => import('./addonCases'),
+  fogHosts: () => import('./fogHostCases'),
+  fogCases: () => import('./fogLightCases'),
   bake: () => import('@farol/bake'),
   chance: () => import('./chance/runScenes'),
   budgetLoad: () => import('./budgetLoad'),
+  pixelScenes: () => import('./pixelScenes'),
   animatedScene: () => import('./animatedScene'),
   firstLitFrame: () => import('./firstLitFrame'),
   hostSnapshot,
@@ -189,6 +201,7 @@ window.testPage = {
   drawn,
   isSlice,
   techniqueInTurn,
+  families,
   techniquesInTurn,
   Bench,
   devices,
