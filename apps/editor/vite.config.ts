@@ -56,6 +56,7 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/MTLLoader.js',
       'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
+      'mediabunny',
       'postprocessing',
       '@farol/bake > three-mesh-bvh',
       'typescript-in-browser',

@@ -215,6 +215,49 @@ test('an agent builds a night street with 12 lamps from the empty scene in 25 ca
   await agent.client.close();
 });
 
+test('each command that an agent runs is one step of the history, or none @verify', async ({ page }) => {
+  test.slow();
+  await openEditor(page);
+  await allow(page);
+  const agent = new Agent();
+  await agent.connect();
+  await agent.call('batch', {
+    edits: [
+      { edit: 'add_object', what: 'box', name: 'House' },
+      { edit: 'add_object', what: 'box', name: 'Shop', position: [2, 0, 0] },
+      { edit: 'add_object', what: 'Point light', name: 'Lamp', position: [0, 2, 0] },
+    ],
+  });
+  const [{ text = '[]' }] = await agent.parts('list_actions');
+  const actions = (JSON.parse(text) as { id: string }[]).filter(
+    // other scenes, files, and pages of help; undo itself
+    ({ id }) => !/^(file|help|play)\.|^edit\.(undo|redo)$/.test(id),
+  );
+  expect(actions.length).toBeGreaterThan(60);
+  let edits = 0;
+  for (const { id } of actions) {
+    for (const objects of [['House', 'Shop'], ['Lamp']]) {
+      const before = (await history(page)).length;
+      const state = await serialized(page);
+      const answer = await agent.call('run_action', { id, objects }).catch((error: Error) => error);
+      if (answer instanceof Error) {
+        expect(answer.message, id).toMatch(/is not available now|cannot be run/);
+        continue;
+      }
+      if ('note' in answer) await page.keyboard.press('Escape');
+      const steps = (await history(page)).length - before;
+      expect(steps, `steps of ${id}`).toBeLessThanOrEqual(1);
+      expect(answer.step === null, `${id} tells its step`).toBe(steps === 0);
+      if (steps === 0) continue;
+      edits++;
+      await agent.call('undo');
+      expect(await serialized(page), `undo of ${id}`).toBe(state);
+    }
+  }
+  expect(edits).toBeGreaterThan(20);
+  await agent.client.close();
+});
+
 test('the dialog and the bar that allow an agent are clean to axe in both themes, also at 390 pixels @verify', async ({
   page,
 }) => {

@@ -236,6 +236,19 @@ for (const half of byExtent({ slice: [0], verify: [0, 1] })) {
   });
 }
 
+test('a web page has lamps, trees and the sky of the library @verify', async ({ page, context }, info) => {
+  test.setTimeout(180_000);
+  await openEditor(page, 'empty');
+  for (const name of ['Street lamp', 'Neon tube', 'Tree', 'Moonlit night']) {
+    const before = await page.evaluate(() => window.editor.commands.history.length);
+    await page.keyboard.press('Control+k');
+    await page.getByRole('combobox', { name: 'Search commands' }).fill(name);
+    await page.keyboard.press('Enter');
+    await expect.poll(() => page.evaluate(() => window.editor.commands.history.length)).toBe(before + 1);
+  }
+  await checkPages(page, context, 'items of the library', info.outputPath('library.html'), ['frame']);
+});
+
 test('what is hidden, broken or nothing at all: said, named, and the button lives @verify', async ({
   page,
   context,

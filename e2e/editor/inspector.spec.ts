@@ -26,9 +26,9 @@ test('components are found by typing, ordered, copied and pasted; fields are res
   await add('hemisphere');
   const components = (): Promise<string[]> =>
     page.evaluate(() => window.editor.document.scene.find('Box')!.components.map(({ typeName }) => typeName));
-  expect(await components()).toEqual(['Transform', 'ObjectRenderer', 'RandomMovement', 'Light']);
+  await expect.poll(components).toEqual(['Transform', 'ObjectRenderer', 'RandomMovement', 'Light']);
   await fromMenu(page, 'Light', 'Move up');
-  expect(await components()).toEqual(['Transform', 'ObjectRenderer', 'Light', 'RandomMovement']);
+  await expect.poll(components).toEqual(['Transform', 'ObjectRenderer', 'Light', 'RandomMovement']);
 
   const light = region(page, 'Light');
   await light.getByLabel('Intensity', { exact: true }).fill('7');
@@ -36,19 +36,20 @@ test('components are found by typing, ordered, copied and pasted; fields are res
   await fromMenu(page, 'Light', 'Copy values');
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   await fromMenu(page, 'Light', 'Paste values');
-  expect(await fieldOf(page, 'Sun', 'Light', 'intensity')).toBe(7);
-  expect(await fieldOf(page, 'Sun', 'Light', 'type')).toBe('point');
+  const sun = (field: string) => expect.poll(() => fieldOf(page, 'Sun', 'Light', field));
+  await sun('intensity').toBe(7);
+  await sun('type').toBe('point');
   const intensity = light.locator('[data-field="intensity"]');
   await intensity.hover();
   await intensity.getByRole('button', { name: 'Reset to default' }).click();
-  expect(await fieldOf(page, 'Sun', 'Light', 'intensity')).toBe(1);
+  await sun('intensity').toBe(1);
   expect((await history(page)).slice(-3)).toEqual([
     'Set intensity of Box to 7',
     'Pasted values into Light of Sun',
     'Reset intensity of Sun',
   ]);
   for (let i = 0; i < 6; i++) await page.keyboard.press('Control+z');
-  expect(await serialized(page)).toBe(before);
+  await expect.poll(() => serialized(page)).toBe(before);
 });
 
 test('several vectors show what they have in common; a material is seen as it is edited', async ({ page }) => {

@@ -1,10 +1,19 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
+import { expect, test as it } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
 import { outOfReach } from '../support/outOfReach';
 import { openEditor } from './editor';
+import { test } from './sharedEditor';
 
-test.use({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
+// rows of the panel, and little of the picture
+test.use({ viewport: { width: 900, height: 900 } });
+
+/** Opens the editor with the empty scene, in a window of its own. */
+async function openLarge(page: Page): Promise<void> {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openEditor(page, 'empty');
+}
 
 /** Opens the panel and gives it most of the window's height. */
 async function openLights(page: Page): Promise<void> {
@@ -26,6 +35,17 @@ const shining = (page: Page, names: readonly string[]): Promise<(readonly [numbe
       }),
     names,
   );
+
+/** A Light, as far as a test asks for what it gives three to draw. */
+interface LightOfThree {
+  readonly three: { readonly intensity: number };
+}
+
+const intensityOf = (page: Page, id: string): Promise<number> =>
+  page.evaluate((object) => {
+    const light = window.editor.document.scene.find(object)!.getComponent('Light') as unknown as LightOfThree;
+    return light.three.intensity;
+  }, id);
 
 /** A scene file of 10,000 lamps far below the camera, of which the first 1,000 are in a group. */
 function manyLamps(): string {
@@ -54,57 +74,81 @@ async function scriptMeter(page: Page): Promise<() => Promise<number>> {
   };
 }
 
-test('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of script a frame @verify', async ({
+it('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of script a frame @verify', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
+  await openLarge(page);
   await page.evaluate((text) => window.editor.openFileBytes(text, { name: null, handle: null }), manyLamps());
   await openLights(page);
   const grid = page.getByRole('treegrid', { name: 'Lights' });
   await expect(grid).toHaveAttribute('aria-rowcount', '10003');
   const script = await scriptMeter(page);
-  const rendered = grid.getByRole('row');
   const figures: Record<string, number> = {};
   const drawn = (): Promise<number> => page.evaluate(() => window.editor.viewport.statistics.frames);
-  /** Does something in steps, each of which ends when what it is for is seen. A step may be drawn as several frames. */
-  const measure = async (what: string, steps: number, act: (step: number) => Promise<void>): Promise<void> => {
+  /**
+   * Does something in steps, each of which ends when what it is for is there; Playwright's own assertions are left to the
+   * end, as their script would be measured. A step may be drawn as several frames. @returns frames drawn
+   */
+  const measure = async (what: string, steps: number, act: (step: number) => Promise<unknown>): Promise<number> => {
     const [before, first] = [await script(), await drawn()];
     for (let step = 1; step <= steps; step++) await act(step);
-    figures[what] = ((await script()) - before) / Math.max(steps, (await drawn()) - first);
+    const milliseconds = (await script()) - before;
+    const frames = (await drawn()) - first;
+    figures[what] = milliseconds / Math.max(steps, frames);
+    return frames;
   };
+  /** Waits until an element of the page is there. */
+  const seen = (selector: string) =>
+    page.waitForFunction((each) => document.querySelector(each) !== null, `.lights-grid${selector}`);
   await grid.hover();
-  await measure('scroll', 20, async (step) => {
+  const scrolled = await measure('scroll', 20, async (step) => {
     await page.mouse.wheel(0, 520);
-    await expect(grid.locator(`[aria-rowindex="${step * 20 + 4}"]`)).toBeInViewport();
-    expect(await rendered.count()).toBeLessThan(60);
+    await seen(` [aria-rowindex="${step * 20 + 4}"]`);
   });
+  await expect(grid.locator('[aria-rowindex="404"]')).toBeInViewport();
+  expect(await grid.getByRole('row').count()).toBeLessThan(60);
   await page.mouse.wheel(0, -20 * 520);
   await expect(grid.locator('[aria-rowindex="2"]')).toBeInViewport();
-  const slider = grid.getByRole('row', { name: 'Street' }).locator('.slider');
-  const box = (await slider.boundingBox())!;
-  const toPart = (part: number) => page.mouse.move(box.x + box.width * part, box.y + box.height / 2);
-  await toPart(0.98);
-  await page.mouse.down();
-  await measure('dim', 20, async (step) => {
-    await toPart(1 - step / 25);
-    await expect.poll(async () => (await shining(page, ['Lamp 1000']))[0][0]).toBeCloseTo(4 * (1 - step / 25), 1);
-  });
-  await page.mouse.up();
-  expect((await history(page)).length).toBe(1);
+  /** Dims by the slider of a row, seen at one of the lights that are dimmed with it. */
+  const dim = async (what: string, row: number): Promise<void> => {
+    const slider = grid.locator(`[aria-rowindex="${row}"] .slider`);
+    const box = (await slider.boundingBox())!;
+    const toPart = (part: number) => page.mouse.move(box.x + (box.width - 1) * part, box.y + box.height / 2);
+    await toPart(1);
+    await page.mouse.down();
+    const full = await intensityOf(page, 'lamp999');
+    await measure(what, 20, async (step) => {
+      await toPart(1 - step / 25);
+      await page.waitForFunction(
+        (most) => {
+          const light = window.editor.document.scene.find('lamp999')!.getComponent('Light') as unknown as LightOfThree;
+          return light.three.intensity < most;
+        },
+        full * (1 - (step - 0.5) / 25),
+      );
+    });
+    await page.mouse.up();
+  };
+  await dim('dim group', 2);
+  expect(await history(page)).toEqual([expect.stringMatching(/^Set dimmer of Street/)]);
+  await page.evaluate(() => window.editor.document.selection.set(Array.from({ length: 1000 }, (_, i) => `lamp${i}`)));
+  await dim('dim rows', 4);
+  expect(await history(page)).toHaveLength(2);
   const search = page.getByRole('searchbox', { name: 'Search lights' });
-  await measure('filter', 4, async (step) => {
-    await search.press('1');
-    await expect(grid).toHaveAttribute('aria-rowcount', ['3443', '283', '22', '3'][step - 1]);
+  await search.focus();
+  const filtered = await measure('filter', 4, async (step) => {
+    await page.keyboard.press('1');
+    await seen(`[aria-rowcount="${[3443, 283, 22, 3][step - 1]}"]`);
   });
   console.log(`10,000 lights, script of a frame (ms): ${JSON.stringify(figures)}`);
-  // not reached yet: 17, 35 and 19 ms on a host with an H200; from source, React is its development build
+  expect({ scrolled, filtered }, 'frames of a scene in which nothing changes').toEqual({ scrolled: 0, filtered: 0 });
+  // from source, React is its development build
   if (process.env.FAROL_E2E === 'built') for (const figure of Object.values(figures)) expect(figure).toBeLessThan(16);
 });
 
 test('lamps are grouped, dimmed by their master and shown alone; each edit is one step, and solo is none', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await page.evaluate(async () => {
     const { scene } = window.editor.document;
     const { constructor: GameObject } = scene.roots[0] as unknown as {
@@ -124,7 +168,7 @@ test('lamps are grouped, dimmed by their master and shown alone; each edit is on
   await page.keyboard.press('Shift+ArrowDown');
   await page.getByRole('button', { name: 'Group', exact: true }).click();
   await page.getByRole('menuitem', { name: 'New group of selected lights' }).click();
-  expect(await history(page)).toEqual(['Made Light group of lights']);
+  await expect.poll(() => history(page)).toEqual(['Made Light group of lights']);
   const slider = grid.getByRole('row', { name: 'Light group' }).locator('.slider');
   const box = (await slider.boundingBox())!;
   await page.mouse.move(box.x + box.width - 2, box.y + box.height / 2);
@@ -134,7 +178,7 @@ test('lamps are grouped, dimmed by their master and shown alone; each edit is on
   expect(half).toBeGreaterThan(1.8);
   expect(half).toBeLessThan(2.2);
   await page.mouse.up();
-  expect((await history(page)).length).toBe(2);
+  await expect.poll(async () => (await history(page)).length).toBe(2);
   await grid.getByRole('button', { name: 'Solo of Lamp 3' }).click();
   expect((await shining(page, ['Lamp 1', 'Lamp 2', 'Lamp 3'])).map(([, isDrawn]) => isDrawn)).toEqual([
     false,
@@ -143,13 +187,13 @@ test('lamps are grouped, dimmed by their master and shown alone; each edit is on
   ]);
   await page.getByRole('button', { name: 'End solo' }).click();
   expect((await shining(page, ['Lamp 1']))[0][1]).toBe(true);
-  expect((await history(page)).length).toBe(2);
+  await expect.poll(async () => (await history(page)).length).toBe(2);
 });
 
-test('the keyboard goes through rows, switches and ranges of them; axe finds nothing, and all is in reach, in every size and theme @verify', async ({
+it('the keyboard goes through rows, switches and ranges of them; axe finds nothing, and all is in reach, in every size and theme @verify', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
+  await openLarge(page);
   await page.evaluate(() => window.editor.openScene('temple', { lights: 20 }));
   await openLights(page);
   const grid = page.getByRole('treegrid', { name: 'Lights' });

@@ -243,7 +243,6 @@ test('a newcomer makes a lit room with a door and a lamp @verify', async ({ page
   await newcomer.add('Mesh', 'Box');
   await newcomer.fillEach(inspector.getByLabel('Position y'), 1, -4.15);
   await newcomer.fillEach(inspector.getByLabel('Scale y'), 2, 0.1);
-  await newcomer.click(inspector.getByRole('button', { name: 'Own material' }));
   await newcomer.chooseColour(inspector.getByLabel('Colour', { exact: true }), 0.7, 0.5);
   await newcomer.add('Mesh', 'Sphere');
   const wall = async (): Promise<number> => (await pixelAt(page, 0.33, 0.4))[1];

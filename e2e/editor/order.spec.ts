@@ -32,6 +32,10 @@ test('what is at its default is folded, a material is not spread out, and Add co
   await expect(inspector.getByRole('region', { name: 'Collider' })).toBeAttached();
   await expect(inspector.getByRole('combobox', { name: 'Add component' })).toBeInViewport({ ratio: 1 });
   const drawn = inspector.getByRole('region', { name: 'Object Renderer' });
+  // open for what was just made, folded from the next step on
+  await expect(drawn.getByRole('button', { name: 'Own material' })).toHaveAttribute('aria-expanded', 'true');
+  await addObject(page, 'Light', 'Point light');
+  await page.getByRole('treeitem', { name: 'Box' }).click();
   await expect(drawn.getByRole('button', { name: 'Own material' })).toHaveAttribute('aria-expanded', 'false');
   await expect(drawn.getByLabel('Roughness')).toHaveCount(0);
   await drawn.getByRole('button', { name: 'Own material' }).click();

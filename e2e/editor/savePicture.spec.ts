@@ -51,3 +51,34 @@ test('a picture of tiles is that of one piece, with nothing behind the objects w
   });
   expect(shapes[0]).toBeCloseTo(shapes[1], 1);
 });
+
+test('a scene has a picture in its file: of its view, or of one that was chosen @verify', async ({ page }) => {
+  const picture = () =>
+    page.evaluate(
+      () => (JSON.parse(window.editor.serialize()) as { picture?: { url: string; chosen?: true } }).picture,
+    );
+  const saveScene = async (): Promise<void> => {
+    const download = page.waitForEvent('download');
+    await page.keyboard.press('Control+s');
+    await (await download).path();
+  };
+  await addObject(page, 'Mesh', 'Sphere');
+  expect(await picture()).toBeUndefined();
+  await saveScene();
+  const first = (await picture())!;
+  expect(first.url).toMatch(/^data:image\/webp;base64,/);
+  expect(first.url.length).toBeLessThan((20_000 * 4) / 3 + 30);
+  await page.getByRole('menuitem', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Use this view as the scene’s picture' }).click();
+  await expect.poll(async () => (await picture())?.chosen).toBe(true);
+  const chosen = (await picture())!;
+  await page.evaluate(() =>
+    window.editor.document.scene.find('Sphere')!.getComponent('Transform')!.set('position', [0, 0.5, 3]),
+  );
+  await saveScene();
+  expect(await picture(), 'saving keeps what was chosen').toEqual(chosen);
+  await page.keyboard.press('Control+z');
+  expect(await picture()).toEqual(first);
+  await saveScene();
+  expect((await picture())!.url, 'of the view as it is now').not.toBe(first.url);
+});

@@ -9,17 +9,20 @@ const KINDS = [
 ];
 
 /**
- * Counts the objects of all WebGL contexts that are made and deleted from now on. Those of a context that is lost are gone.
+ * Counts the objects of all WebGL contexts that are made and deleted from now on.
+ * @param keepsLost - whether objects of a context that is lost count until they are deleted: who holds one has not let go of it;
+ *   else they are gone. Default false
  * @returns gives how many there are
  */
-export function countGpuObjects(): () => GpuObjects {
+export function countGpuObjects(keepsLost = false): () => GpuObjects {
   const methods = WebGL2RenderingContext.prototype as unknown as Record<string, (...a: unknown[]) => unknown>;
   const alive = new Map<unknown, Map<object, string>>();
   const of = (gl: unknown): Map<object, string> => {
     let known = alive.get(gl);
     if (known === undefined) {
       alive.set(gl, (known = new Map<object, string>()));
-      (gl as WebGL2RenderingContext).canvas.addEventListener('webglcontextlost', () => alive.get(gl)!.clear());
+      if (!keepsLost)
+        (gl as WebGL2RenderingContext).canvas.addEventListener('webglcontextlost', () => alive.get(gl)!.clear());
     }
     return known;
   };

@@ -99,14 +99,22 @@ export interface TestPage {
   addonCases(): Promise<typeof import('./addonCases')>;
   /** Cases of node materials; fetched by the tests that need them. */
   nodeCases(): Promise<typeof import('./nodeCases')>;
+  /** Fog in targets, by cameras and before transparent things; fetched by the tests that need it. */
+  fogHosts(): Promise<typeof import('./fogHostCases')>;
+  /** Lights in fog; fetched by the tests that need them. */
+  fogCases(): Promise<typeof import('./fogLightCases')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;
   /** Fetched by the tests that need it. */
   chance(): Promise<typeof import('./chance/runScenes')>;
   /** Fetched by the tests that need it. */
   budgetLoad(): Promise<typeof import('./budgetLoad')>;
+  /** Fetched by the tests that need it. */
+  pixelScenes(): Promise<typeof import('./pixelScenes')>;
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
+  /** Fetched by the tests that need it: it brings the demo scenes. */
+  firstLitFrame(): Promise<typeof import('./firstLitFrame')>;
   hostSnapshot: typeof hostSnapshot;
   LateCase: typeof LateCase;
   enlargeSheet: typeof enlargeSheet;
@@ -176,10 +184,14 @@ window.testPage = {
   nodeCases: () => import('./nodeCases'),
   LateCase,
   addonCases: () => import('./addonCases'),
+  fogHosts: () => import('./fogHostCases'),
+  fogCases: () => import('./fogLightCases'),
   bake: () => import('@farol/bake'),
   chance: () => import('./chance/runScenes'),
   budgetLoad: () => import('./budgetLoad'),
+  pixelScenes: () => import('./pixelScenes'),
   animatedScene: () => import('./animatedScene'),
+  firstLitFrame: () => import('./firstLitFrame'),
   hostSnapshot,
   enlargeSheet,
   runSheet,

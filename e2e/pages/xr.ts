@@ -1,6 +1,7 @@
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { AmbientOcclusion } from '@farol/renderer/ambient-occlusion';
 import { SMAA, TAA } from '@farol/renderer/antialiasing';
+import { VolumetricFog } from '@farol/renderer/volumetric-fog';
 import { metaQuest3, XRDevice } from 'iwer';
 import * as three from 'three';
 import { compareImages, isFlat } from '../support/images';
@@ -119,7 +120,7 @@ const xrPage = {
   techniquesInTurn,
   isSlice,
   countGpuObjects,
-  effects: { AmbientOcclusion, SMAA, TAA },
+  effects: { AmbientOcclusion, SMAA, TAA, VolumetricFog },
   xrStereo: () => import('./xrStereo'),
   engine: () => import('@farol/engine'),
   engineXR: () => import('@farol/engine/xr'),

@@ -165,3 +165,49 @@ test("'auto' changes technique without a wait: programs are linked while the old
     });
   }
 });
+
+test("'auto' draws depth first once it has seen that layers hide one another, without a wait, and the picture stays @verify", async ({
+  page,
+}) => {
+  const seen = await page.evaluate(async () => {
+    const { Bench, compareImages, three } = window.testPage;
+    const bench = new Bench(64, 48);
+    const { farol, webgl } = bench;
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(50, 64 / 48, 0.1, 30);
+    const layer = new three.PlaneGeometry(20, 20);
+    const material = new three.MeshStandardMaterial({ color: 0xcc8844 });
+    // a small picture has to be covered very often for depth to pay
+    for (let i = 0; i < 130; i++) {
+      const mesh = new three.Mesh(layer, material);
+      mesh.position.set(0, 0, i / 20 - 12);
+      mesh.rotation.z = i;
+      mesh.renderOrder = i;
+      scene.add(mesh);
+    }
+    for (let i = 0; i < 12; i++) {
+      const light = new three.PointLight(0xffffff, 1, 8);
+      light.position.set(3 * Math.sin(i * 2.4), 2 * Math.cos(i * 1.7), -4.5);
+      scene.add(light);
+    }
+    const stock = bench.stock(scene, camera);
+    const before = bench.byTechnique('auto', scene, camera);
+    const first = farol.info.technique as string;
+    let compiled = 0;
+    for (let last = first; last === first; last = farol.info.technique) {
+      await new Promise(requestAnimationFrame);
+      const programs = new Set(webgl.info.programs);
+      bench.draw(() => farol.render(scene, camera));
+      if (farol.info.technique !== first)
+        compiled = webgl.info.programs!.filter((program) => !programs.has(program)).length;
+    }
+    const { technique, reason } = farol.info;
+    const after = bench.byTechnique('auto', scene, camera);
+    return { first, technique, reason, compiled, ...compareImages(stock, after), change: compareImages(before, after) };
+  });
+  expect([seen.first, seen.technique]).toEqual(['clustered-deferred', 'forward-plus']);
+  expect(seen.reason).toContain('depth is drawn first');
+  expect(seen.compiled, 'programs of the frame that changes').toBe(0);
+  expect(seen.largest, "difference from stock three's picture").toBeLessThanOrEqual(1e-4);
+  expect(seen.change.psnr).toBeGreaterThan(60);
+});

@@ -114,7 +114,7 @@ test("'auto' unlearns a rule that is wrong on the GPU at hand, by trials that co
     expect(found.difference, name).toBeLessThan(0.02);
   }
   expect(seen.isOpen, 'a query of the timer is open between frames').toBe(false);
-  expect(seen.kept).toContain('"version":1');
+  expect(seen.kept).toContain('"version":2');
   expect([again.first, again.last, again.trials]).toEqual(['clustered-deferred', 'clustered-forward', 0]);
   expect([seen.byRule.first, seen.queriesOff]).toEqual(['clustered-deferred', 0]);
   expect(seen.cleared).toBe(null);

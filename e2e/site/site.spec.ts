@@ -91,6 +91,32 @@ test.describe('on a desk', () => {
     await expect(page).toHaveURL(`${site}guides/faq.html#which-browsers`);
   });
 
+  test('the first screen is there before its live scene, which a worker draws @verify', async ({ page, site }) => {
+    await page.goto(site);
+    const picture = page.locator('.live-box img');
+    await expect(picture).toHaveCount(1);
+    const seen = await page.waitForFunction(() => {
+      const frame = performance.getEntriesByType('resource').find(({ name }) => name.includes('/live/index.html'));
+      const [page] = performance.getEntriesByType('navigation');
+      return frame && { frame: frame.startTime, loaded: (page as PerformanceNavigationTiming).loadEventStart };
+    });
+    const { frame, loaded } = (await seen.jsonValue())!;
+    expect(frame).toBeGreaterThan(loaded);
+    await expect(picture).toHaveCount(0);
+    const inner = (await page.locator('iframe').elementHandle())!;
+    const framed = await (await inner.contentFrame())!.evaluate(() =>
+      performance.getEntriesByType('resource').map(({ name }) => name),
+    );
+    expect(framed.filter((name) => /\/three-[^/]*\.js$/.test(name))).toEqual([]);
+    const bytes = await page.evaluate(() =>
+      performance
+        .getEntriesByType('resource')
+        .filter(({ name }) => name.endsWith('.js'))
+        .reduce((sum, entry) => sum + (entry as PerformanceResourceTiming).decodedBodySize, 0),
+    );
+    expect(bytes, 'scripts of the page').toBeLessThan(250_000);
+  });
+
   test('a live module loads near the view, shows its code, and rests out of view @verify', async ({ page, site }) => {
     await page.setViewportSize({ width: 1000, height: 300 });
     await page.goto(`${site}techniques/deferred.html`);
@@ -183,6 +209,8 @@ test.describe('on a desk', () => {
     const links = [...list.matchAll(/\]\((.*?)\)/g)].map(([, link]) => link);
     expect(links.length).toBeGreaterThan(50);
     for (const link of links) expect((await request.get(site + link)).status(), link).toBe(200);
-    expect(await (await request.get(`${site}llms-full.txt`)).text()).toContain('# Start in a minute');
+    const all = await (await request.get(`${site}llms-full.txt`)).text();
+    expect(all).toContain('# Start in a minute');
+    expect(all).toContain('\n## LightField\n');
   });
 });

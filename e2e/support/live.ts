@@ -1,12 +1,12 @@
 import type { Page } from '@playwright/test';
-import type { FarolRenderer } from '@farol/renderer';
 import type { FloatImage } from './images';
 
-/** `window` of a live module's page that was opened with `&still`; apps/site/live. */
+/** `window` of a live module's page that was opened with `&still`; apps/site/live/still. */
 interface LiveWindow {
-  live: Promise<{ farol?: FarolRenderer | Promise<FarolRenderer>; ready?: Promise<unknown> }>;
-  stillClock: { advance(seconds: number): void; until<T>(promise: Promise<T>): Promise<T> };
-  drawBoth(width: number, height: number): Promise<BothPictures>;
+  still: {
+    run(step: number, frames: number): Promise<void>;
+    drawBoth(width: number, height: number): Promise<BothPictures>;
+  };
 }
 
 interface BothPictures {
@@ -23,19 +23,9 @@ const HEIGHT = 108;
 /** Opens a live module, standing still, and lets its clock run once all of its code is there. */
 export async function openLive(page: Page, name: string, seconds: number, frames: number): Promise<void> {
   await page.goto(`./index.html?${name}&still`);
-  await page.waitForFunction(() => 'live' in window);
+  await page.waitForFunction(() => 'still' in window);
   await page.evaluate(
-    async ([step, frames]) => {
-      const page = window as unknown as LiveWindow;
-      const { farol: asked, ready } = await page.live;
-      const farol = await asked;
-      const { stillClock } = page;
-      stillClock.advance(0.001);
-      if (farol) await stillClock.until(farol.ready);
-      if (ready) await stillClock.until(ready);
-      for (let i = 0; i < frames; i++) stillClock.advance(step);
-      if (farol) await stillClock.until(farol.ready);
-    },
+    ([step, frames]) => (window as unknown as LiveWindow).still.run(step, frames),
     [seconds / frames, frames],
   );
 }
@@ -46,7 +36,10 @@ export async function drawLive(
 ): Promise<{ stock: FloatImage; farol: FloatImage; technique: string; leftOut: string[] }> {
   const { stock, farol, ...others } = await page.evaluate(
     async ([width, height]) => {
-      const { stock, farol, technique, leftOut } = await (window as unknown as LiveWindow).drawBoth(width, height);
+      const { stock, farol, technique, leftOut } = await (window as unknown as LiveWindow).still.drawBoth(
+        width,
+        height,
+      );
       const encode = (pixels: Float32Array): string => {
         const bytes = new Uint8Array(pixels.buffer);
         const parts: string[] = [];

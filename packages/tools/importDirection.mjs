@@ -10,6 +10,7 @@ const aroundTheCore = [
   'packages/renderer/src/authoring',
   'packages/renderer/src/light-options',
   'packages/renderer/src/light-profiles',
+  'packages/renderer/src/pixel-lighting',
   'packages/renderer/src/surfaces',
 ];
 
@@ -128,6 +129,7 @@ export const importRules = [
   { from: 'packages/renderer/src/adapters/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
   { from: 'packages/renderer/src/light-profiles', may: ['packages/renderer/src/light-profiles', 'three'] },
+  { from: 'packages/renderer/src/pixel-lighting', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/light-options', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/authoring', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/intercept', may: ['packages/renderer', 'three'] },

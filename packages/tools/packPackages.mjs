@@ -1,16 +1,17 @@
-import { mkdirSync } from 'node:fs';
+import { existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { packedPackages } from './publishedPackages.mjs';
+import { builtPackages, packedPackages } from './publishedPackages.mjs';
 import { runNpm } from './runNpm.mjs';
 
 /**
- * Packs all packages for the registry, as `npm publish` would. Those that are built must be.
+ * Packs all packages for the registry, as `npm publish` would.
  *
  * @param {string} to - folder, made where it is missing
  * @returns {string[]} tarballs
- * @throws {Error} with npm's words when one cannot be packed
+ * @throws {Error} when one is not built, and with npm's words when one cannot be packed
  */
 export function packPackages(to) {
+  checkBuilt();
   mkdirSync(to, { recursive: true });
   const packed = packedPackages();
   const folders = packed.map(({ folder }) => `./${folder}`);
@@ -24,4 +25,16 @@ export function packPackages(to) {
 /** @param {{ name: string, version: string }} manifest @returns {string} file that `npm pack` makes of the package */
 export function tarballName({ name, version }) {
   return `${name.replace(/^@/, '').replace('/', '-')}-${version}.tgz`;
+}
+
+/**
+ * @param {string} [checkout] - folder of a repository; default this one
+ * @throws {Error} that names a package whose files are not all built
+ */
+export function checkBuilt(checkout) {
+  for (const { folder, path, manifest } of builtPackages(checkout)) {
+    const files = Object.values(manifest.exports).map((entry) => (typeof entry === 'string' ? entry : entry?.default));
+    const missing = files.find((file) => file && !file.includes('*') && !existsSync(join(path, file)));
+    if (missing) throw new Error(`${folder} has no ${missing}: npm run pack builds the packages and packs them.`);
+  }
 }

@@ -3,14 +3,13 @@
  * published lies in dist/, and the commands that publish it are printed.
  */
 import { spawnSync } from 'node:child_process';
-import { join, relative } from 'node:path';
+import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { ensureInstalled } from './ensureInstalled.mjs';
-import { packPackages, tarballName } from './packPackages.mjs';
+import { tarballName } from './packPackages.mjs';
 import { packedPackages, readManifest } from './publishedPackages.mjs';
 import { changelogSection, releasePlan, writeRelease } from './releaseFiles.mjs';
 import { root } from './root.mjs';
-import { whileNobodyBuilds } from './runFolder.mjs';
 import { runNpm } from './runNpm.mjs';
 import { startScript } from './startTool.mjs';
 
@@ -57,10 +56,10 @@ if (plan) {
   if (runNpm(['install', '--package-lock-only', '--prefer-offline']).status !== 0) end(`npm failed: ${undo()}`);
 }
 if ((await startScript(join(root, 'packages/tools/test.mjs'), ['--verify'])) !== 0) end(`Tests failed: ${undo()}`);
-const tarballs = await whileNobodyBuilds(async () => packPackages(join(root, 'dist')));
+if ((await startScript(join(root, 'packages/tools/pack.mjs'), [])) !== 0) end(`Nothing was packed: ${undo()}`);
 if (plan) git('commit', '--all', '--message', `Release ${version}`);
 git('tag', '--annotate', tag, '--message', `Farol ${version}`);
-const commands = tarballs.map((tarball) => `npm publish ${relative(root, tarball).replaceAll('\\', '/')}`);
+const commands = packedPackages().map(({ manifest }) => `npm publish dist/${tarballName(manifest)}`);
 console.log(
   `\nReady: commit, tag ${tag}, tarballs. To publish:\n  ${['git push --follow-tags', ...commands].join('\n  ')}`,
 );

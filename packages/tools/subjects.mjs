@@ -20,6 +20,7 @@ export const subjects = [
   ['packages/renderer/src/lighting/area-lights', ['render/areaLights']],
   ['packages/renderer/src/materials/gouraud', ['render/shading']],
   ['packages/renderer/src/microshaders', ['render/microshaders', 'render/claims', 'render/toon']],
+  ['packages/renderer/src/pixel-lighting', ['render/pixelLighting']],
   ['packages/renderer/src/renderer/budget', ['render/budget', 'perf/frameBudget']],
   ['packages/renderer/src/renderer/learning', ['perf/autoChange']],
   ['packages/renderer/src/renderer/timer', ['perf/draws']],

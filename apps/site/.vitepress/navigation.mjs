@@ -1,101 +1,16 @@
 /** Bars of the site, in the order that a reader needs the pages in. */
+import { guides as guidePages } from '@farol/tools/guides';
 
 /** @param {string} text @param {string} link */
 const page = (text, link) => ({ text, link });
 
-/** @param {string} text @param {Record<string, string>} pages - names by file in guides/ */
-const group = (text, pages) => ({
+const guides = Object.entries(guidePages).map(([text, pages]) => ({
   text,
-  items: Object.entries(pages).map(([file, name]) => page(name, `/guides/${file}`)),
-});
-
-const guides = [
-  {
-    text: 'Start',
-    items: [
-      page('Start in a minute', '/start'),
-      ...group('', {
-        'create-farol': 'npm create farol',
-        renderer: 'The renderer',
-        faq: 'Questions',
-        moving: 'Moving to Farol',
-      }).items,
-    ],
-  },
-  group('Lights', {
-    lights: 'Lights and their ranges',
-    shadows: 'Shadows',
-    'light-fields': 'Lights as data',
-    particles: 'Particles',
-    baking: 'Baking',
-  }),
-  group('Pictures', {
-    canvas: 'Canvas, size and targets',
-    effects: 'Effects and bloom',
-    'volumetric-fog': 'Fog that lights light',
-    'many-objects': 'Many objects',
-    surfaces: 'Surfaces of microshaders',
-    'frame-budget': 'A frame budget',
-    learning: 'auto that learns',
-  }),
-  group('Where it runs', {
-    'react-three-fiber': 'React Three Fiber',
-    phones: 'Phones and tablets',
-    headsets: 'Headsets',
-  }),
-  group('What to expect', {
-    limits: 'Not as in stock three',
-    accuracy: 'Accuracy',
-    performance: 'Performance',
-    promises: 'Promises',
-    compatibility: 'Versions and browsers',
-    lab: 'Measure on your GPU',
-  }),
-  group('Write your own', {
-    authoring: 'Technique, effect, microshader',
-    'engine-adding': 'Component, scene',
-    attach: 'The editor in your page',
-  }),
-  group('Engine', {
-    engine: 'The engine',
-    scenes: 'Demo scenes',
-    'engine-headsets': 'Headsets',
-    'engine-photometry': 'Light in real units',
-    'scene-files': 'Scene files',
-    models: 'OBJ, STL and PLY',
-    guard: 'Files of strangers',
-    'editing-package': 'Undo, fields and units',
-  }),
-  group('Editor', {
-    editor: 'The editor and its plugins',
-    agent: 'Let an agent edit',
-    'editor-files': 'Files and exports',
-    'editor-editing': 'Editing',
-    'editor-scripts': 'Scripts',
-    'editor-animation': 'Timeline',
-    'editor-viewport': 'Viewport',
-    'editor-layout': 'Windows and panels',
-    'editor-promises': 'Promises',
-  }),
-  group('How it is made', {
-    architecture: 'One frame',
-    'light-loops': 'Light loops',
-    'shadow-maps': 'Shadow maps',
-    'attempts/deferred': 'Attempts: deferred',
-    'attempts/forward': 'Attempts: forward',
-    'attempts/frame': 'Attempts: the frame',
-    'attempts/enlarging': 'Attempts: enlarging',
-    'attempts/shadow-lookups': 'Attempts: reading shadow maps',
-    'attempts/shadow-casters': 'Attempts: casters',
-    'attempts/shadow-regions': 'Attempts: regions of maps',
-    'attempts/shadow-atlas': 'Attempts: the atlas',
-    'attempts/antialiasing': 'Attempts: anti-aliasing',
-    project: 'The repository',
-    contributing: 'Working on Farol',
-    site: 'This site',
-    licences: 'Licences of others',
-  }),
-];
+  items: [
+    ...(text === 'Start' ? [page('Start in a minute', '/start')] : []),
+    ...Object.entries(pages).map(([file, name]) => page(name, `/guides/${file}`)),
+  ],
+}));
 
 /** Techniques by file in techniques/, in the order of their complexity. */
 export const techniqueNames = {

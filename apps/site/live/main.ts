@@ -4,7 +4,7 @@
  *
  * A module finds the page's `<canvas>`, draws, and may export `farol`, `webgl`, `scene` and `camera`, each as it is or as
  * a promise: `window.live` is fulfilled with what it exports. `still` holds the page's clock at so many seconds: see
- * StillClock.ts.
+ * still/StillClock.ts.
  */
 import { type LiveModule, startLive } from './startLive';
 

@@ -1,11 +1,11 @@
 import type { FarolRenderer } from '@farol/renderer';
-import type { BothPictures } from './drawBoth';
 import type { Camera, Scene, WebGLRenderer } from 'three';
+import type { Still } from './still/holdStill';
 
 declare global {
   interface Window {
-    /** Draws the module by stock three and by Farol; in a page opened with `&still`. */
-    drawBoth?(width: number, height: number): Promise<BothPictures>;
+    /** Runs the module by steps and compares its picture; in a page opened with `&still`. */
+    still?: Still;
   }
 }
 
@@ -17,6 +17,8 @@ export interface LiveModule {
   readonly camera?: Camera | Promise<Camera>;
   /** Fulfilled when work that goes on for many frames, such as a bake, is done. */
   readonly ready?: Promise<unknown>;
+  /** Worker that draws, whose global `live` has the other exports. */
+  readonly worker?: Worker;
 }
 
 /**
@@ -31,9 +33,8 @@ export async function startLive(modules: Record<string, () => Promise<LiveModule
   root.lang = query.get('lang') ?? 'en';
   document.title = name;
   if (query.has('still')) {
-    const { StillClock } = await import('./StillClock');
-    window.stillClock = new StillClock();
-    window.drawBoth = async (...size) => (await import('./drawBoth')).drawBoth(await window.live, ...size);
+    const { holdStill } = await import('./still/holdStill');
+    window.still = await holdStill();
   }
   try {
     const load = modules[`./${name}.ts`] ?? modules[`./${name}.tsx`];

@@ -6,6 +6,8 @@
  */
 export class Signal<Details extends readonly unknown[] = []> {
   private readonly listeners = new Set<(...details: Details) => void>();
+  /** `listeners` as an array, which a change while they are told leaves alone; null when they have changed since. */
+  private told: readonly ((...details: Details) => void)[] | null = null;
   private changes = 0;
 
   /** Number of times that the signal was emitted. */
@@ -16,12 +18,17 @@ export class Signal<Details extends readonly unknown[] = []> {
   /** Counts a change and tells the listeners. */
   readonly emit = (...details: Details): void => {
     this.changes++;
-    for (const listener of [...this.listeners]) listener(...details);
+    const told = (this.told ??= [...this.listeners]);
+    for (let i = 0; i < told.length; i++) told[i](...details);
   };
 
   /** Calls `listener` after each change. @returns a function that removes the listener */
   readonly subscribe = (listener: (...details: Details) => void): (() => void) => {
     this.listeners.add(listener);
-    return () => this.listeners.delete(listener);
+    this.told = null;
+    return () => {
+      this.told = null;
+      this.listeners.delete(listener);
+    };
   };
 }

@@ -15,6 +15,7 @@ export const figuresFile = join(galleryFolder, 'figures.json');
  * @typedef {object} GalleryExample
  * @property {string} name - name of its file without ending
  * @property {string} file - name of its file
+ * @property {string[]} others - files of the folder of its name: what its worker runs
  * @property {string} title - first line of the docblock
  * @property {string} sentence - second paragraph
  * @property {string[]} tags
@@ -38,13 +39,18 @@ export function readExamples() {
   return readdirSync(galleryFolder)
     .filter((file) => /\.tsx?$/.test(file))
     .toSorted()
-    .map((file) => parseExample(file, readFileSync(join(galleryFolder, file), 'utf8')));
+    .map((file) => {
+      const example = parseExample(file, readFileSync(join(galleryFolder, file), 'utf8'));
+      const folder = join(galleryFolder, example.name);
+      const others = existsSync(folder) ? readdirSync(folder).toSorted() : [];
+      return { ...example, others: others.map((other) => `${example.name}/${other}`) };
+    });
 }
 
 /**
  * @param {string} file - name of the file
  * @param {string} source
- * @returns {GalleryExample}
+ * @returns {Omit<GalleryExample, 'others'>}
  * @throws {Error} when the docblock lacks a title, a sentence or tags
  */
 export function parseExample(file, source) {
@@ -80,8 +86,8 @@ export function readFigures() {
 }
 
 /**
- * Sizes of the scripts that an example loads before its first frame, gzipped, from what was built; none before the first
- * build. Code that Farol fetches once a scene needs it comes on top.
+ * Sizes of the scripts that an example loads before its first frame, gzipped, from what was built, and none of three's where
+ * they are in those of a worker; nothing before the first build. Code that Farol fetches once a scene needs it comes on top.
  *
  * @returns {Record<string, { three: number, others: number }>} bytes by name: three's, all others
  */
@@ -89,7 +95,7 @@ export function readSizes() {
   const dist = join(liveFolder, 'dist');
   const file = join(dist, '.vite/manifest.json');
   if (!existsSync(file)) return {};
-  /** @type {Record<string, { file: string, name?: string, imports?: string[], isEntry?: boolean }>} */
+  /** @type {Record<string, { file: string, name?: string, imports?: string[], assets?: string[], isEntry?: boolean }>} */
   const manifest = JSON.parse(readFileSync(file, 'utf8'));
   /** @type {Map<string, number>} */
   const sizes = new Map();
@@ -105,6 +111,8 @@ export function readSizes() {
       for (const each of all) for (const found of manifest[each].imports ?? []) all.add(found);
       let three = 0;
       let others = 0;
+      // a worker's script is a bundle of its own, which has three in it
+      for (const worker of manifest[key].assets ?? []) if (worker.endsWith('.js')) others += sizeOf(worker);
       for (const each of all) {
         const size = sizeOf(manifest[each].file);
         if (manifest[each].name === 'three') three += size;

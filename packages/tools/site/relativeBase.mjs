@@ -27,11 +27,12 @@ function withBaseAbove(html) {
 
 /**
  * Makes a built site work from any folder of any host, where VitePress knows fixed bases alone; and gives its pages a
- * content security policy.
+ * content security policy. The icons' small style sheet, for which a page would wait, goes into the pages.
  *
  * @param {string} dist - folder that VitePress built with {@link placeholderBase}
  */
 export function makeRelative(dist) {
+  const icons = readFileSync(join(dist, 'vp-icons.css'), 'utf8');
   for (const name of readdirSync(dist, { recursive: true, encoding: 'utf8' })) {
     const path = join(dist, name);
     const up = '../'.repeat(name.split(/[\\/]/).length - 1) || './';
@@ -41,7 +42,12 @@ export function makeRelative(dist) {
     if (name === '404.html') change((text) => withPolicy(withBaseAbove(text)));
     else if (name.endsWith('.html'))
       change((text) =>
-        withPolicy(text.replaceAll(placeholderBase, up).replace('</body>', () => `${findBase(up)}</body>`)),
+        withPolicy(
+          text
+            .replace(/<link [^>]*vp-icons\.css"[^>]*>/, icons && `<style>${icons}</style>`)
+            .replaceAll(placeholderBase, up)
+            .replace('</body>', () => `${findBase(up)}</body>`),
+        ),
       );
   }
 }

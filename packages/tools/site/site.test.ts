@@ -6,7 +6,7 @@ import { root } from '../root.mjs';
 import { scriptWithBase } from './relativeBase.mjs';
 import { searchIndex, sectionsOf } from './searchPages.mjs';
 import { pagesFolder, readPage, siteLink, sitePages, sitePicture } from './sitePages.mjs';
-import { textOf } from './writeTexts.mjs';
+import { apiTexts, textOf } from './writeTexts.mjs';
 
 const pages = sitePages();
 const anchors = new Map(
@@ -132,4 +132,11 @@ it('gives machines pages without elements of the site, with links that hold besi
   expect(text).not.toMatch(/<[A-Z]/);
   expect(textOf('guides/faq.md')).toContain('](./lights.md#give-each-light-a-range)');
   expect(textOf('guides/faq.md')).toContain('](./lab.md)');
+});
+
+it('gives machines the API with its examples, as Markdown without marks of the site', () => {
+  const text = apiTexts().find(({ name }) => name === 'api/renderer-light-field.md')!.text;
+  expect(text).toContain('\n## LightField\n');
+  expect(text).toContain('new LightField(10_000)');
+  expect(apiTexts().filter(({ text }) => /&lt;|&#123;|^#+ .*\{#/m.test(text))).toEqual([]);
 });

@@ -1,6 +1,7 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { root } from '../root.mjs';
+import { apiIndex, apiPage, apiPages } from './api/apiPages.mjs';
 import { pagesFolder, readPage, siteLink, sitePages } from './sitePages.mjs';
 
 const files = sitePages();
@@ -24,8 +25,25 @@ function descriptionOf(name) {
 }
 
 /**
+ * Markdown of the API's pages, without what only the site reads: anchors of headings, and characters escaped for Vue.
+ *
+ * @returns {{ name: string, title: string, about: string, text: string }[]} `name` from `pagesFolder`
+ */
+export function apiTexts() {
+  return apiPages().pages.map((page) => ({
+    name: `api/${page.name}.md`,
+    title: page.title,
+    about: page.exports.map(({ name }) => name).join(', '),
+    text: apiPage(page)
+      .replace(/^(#+ .*) \{#[^}]*\}$/gm, '$1')
+      .replaceAll('&lt;', '<')
+      .replaceAll('&#123;', '{'),
+  }));
+}
+
+/**
  * Writes into the built site: each page's Markdown beside it, `llms.txt` which lists them, `llms-full.txt` which is all of
- * them, and for each page without a Spanish text a Spanish address that leads to the English one.
+ * them, both with the API, and for each page without a Spanish text a Spanish address that leads to the English one.
  *
  * @param {string} dist
  * @param {{ text: string, items: { text: string, link: string }[] }[]} groups - of the pages, in the reader's order
@@ -37,9 +55,14 @@ export function writeTexts(dist, groups) {
     `\n## ${text}\n`,
     ...items.map(({ text, link }) => `- [${text}](${nameOf(link)}): ${descriptionOf(nameOf(link))}`),
   ]);
+  const api = apiTexts();
+  for (const { name, text } of api) write(join(dist, name), text);
+  write(join(dist, 'api/index.md'), apiIndex());
+  lines.push('\n## API\n', ...api.map(({ name, title, about }) => `- [${title}](${name}): ${about}`));
   const about = descriptionOf('index.md');
   writeFileSync(join(dist, 'llms.txt'), `# Farol\n\n> ${about}\n${lines.join('\n')}\n`);
-  const all = groups.flatMap(({ items }) => items.map(({ link }) => textOf(nameOf(link))));
+  const pagesOfGroups = groups.flatMap(({ items }) => items.map(({ link }) => textOf(nameOf(link))));
+  const all = [...pagesOfGroups, ...api.map(({ text }) => text.trim())];
   writeFileSync(join(dist, 'llms-full.txt'), `${all.join('\n\n---\n\n')}\n`);
   const pages = readdirSync(dist, { recursive: true, encoding: 'utf8' }).map((name) => name.replaceAll('\\', '/'));
   for (const page of pages) {

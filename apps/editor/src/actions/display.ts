@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import { type View, views } from '@farol/renderer';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
+import type { Tool } from '../model/Tools';
 import type { IconName } from '../style/iconPaths';
 import type { Shading } from '../viewport/shading/Shading';
 
@@ -51,30 +52,40 @@ export const showPictureEffects = toggle(
 export const continuous = toggle('continuous', 'view.continuous', 'Draw without pause, to see frame rates', 'motion');
 export const showStatistics = toggle('showStatistics', 'view.statistics', 'Frame statistics', 'chart');
 
-/** Opens the tool that measures the distance between two clicked points. */
-export const measureDistance: Action = {
-  id: 'view.measure-distance',
-  label: 'Measure distance',
-  keys: ['M'],
+/** An action that opens a tool over the picture, or ends it. @param tool - the tool's id */
+const opener = (
+  tool: string,
+  rest: Pick<Action, 'id' | 'label' | 'keys'>,
+  make: (viewport: EditorApi['viewport']) => Promise<Tool>,
+): Action => ({
+  ...rest,
   async run({ viewport, tools }) {
-    if (tools.current?.id === 'measure') return void tools.end();
-    const { MeasureTool } = await import('../viewport/placing/MeasureTool');
-    tools.open(new MeasureTool(viewport));
+    if (tools.current?.id === tool) tools.end();
+    else tools.open(await make(viewport));
   },
-  checked: ({ tools }) => tools.current?.id === 'measure',
-};
+  checked: ({ tools }) => tools.current?.id === tool,
+});
+
+/** Opens the tool that measures the distance between two clicked points. */
+export const measureDistance = opener(
+  'measure',
+  { id: 'view.measure-distance', label: 'Measure distance', keys: ['M'] },
+  async (viewport) => new (await import('../viewport/placing/MeasureTool')).MeasureTool(viewport),
+);
 
 /** Opens the tool that measures the light at a clicked point. */
-export const measureLight: Action = {
-  id: 'view.light-meter',
-  label: 'Light meter',
-  async run({ viewport, tools }) {
-    if (tools.current?.id === 'light-meter') return void tools.end();
-    const { LightMeterTool } = await import('../viewport/illuminance/LightMeterTool');
-    tools.open(new LightMeterTool(viewport));
-  },
-  checked: ({ tools }) => tools.current?.id === 'light-meter',
-};
+export const measureLight = opener(
+  'light-meter',
+  { id: 'view.light-meter', label: 'Light meter' },
+  async (viewport) => new (await import('../viewport/illuminance/LightMeterTool')).LightMeterTool(viewport),
+);
+
+/** Opens the tool that tells of which lights a clicked pixel is made. */
+export const explainPixel = opener(
+  'pixel-lighting',
+  { id: 'view.explain-pixel', label: 'Explain a pixel', keys: ['Shift+M'] },
+  async (viewport) => new (await import('../viewport/pixelLighting/PixelLightingTool')).PixelLightingTool(viewport),
+);
 
 /** Shows how much light falls on surfaces, by false colours. */
 export const showIlluminance: Action = {

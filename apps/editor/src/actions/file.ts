@@ -102,6 +102,19 @@ export const savePicture: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'picture' }),
 };
 
+export const saveFilm: Action = {
+  id: 'file.film',
+  label: 'Save a film…',
+  icon: 'play',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'film' }),
+};
+
+export const choosePicture: Action = {
+  id: 'file.thumbnail',
+  label: 'Use this view as the scene’s picture',
+  run: async (editor) => (await import('../files/recent/scenePicture')).choosePicture(editor),
+};
+
 export const letAgentEdit: Action = {
   id: 'file.agent',
   label: 'Let an agent edit…',

@@ -6,6 +6,7 @@ import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
 import {
   continuous,
+  explainPixel,
   measureDistance,
   measureLight,
   showIlluminance,
@@ -25,6 +26,7 @@ import {
 } from './display';
 import { deselect, duplicate, redo, remove, selectAll, undo } from './edit';
 import {
+  choosePicture,
   exportScene,
   letAgentEdit,
   measure,
@@ -32,6 +34,7 @@ import {
   open,
   openExamples,
   openOnPhone,
+  saveFilm,
   savePicture,
   recentActions,
   recover,
@@ -83,7 +86,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
     open: [open],
     save: [save, saveAs],
-    share: [exportScene, savePicture, openOnPhone, letAgentEdit, measure],
+    share: [exportScene, savePicture, saveFilm, choosePicture, openOnPhone, letAgentEdit, measure],
     recover: [recover],
   },
   edit: {
@@ -125,7 +128,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     shading: [{ submenu: 'Shading', actions: [...shadings, showShadings] }],
     picture: [],
     show: [showGrid, showPictureEffects, showIcons, showRanges, showColliders],
-    measure: [measureDistance, measureLight, showIlluminance],
+    measure: [measureDistance, measureLight, explainPixel, showIlluminance],
     figures: [continuous, showStatistics],
     panels: [maximiseViewport, maximisePanel, resetPanels],
     window: [

@@ -2,7 +2,10 @@ import { t } from '@farol/editing';
 import { ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
-import type { BuiltinSurface, BuiltinSurfaceName } from '../model/surfaces/builtinSurfaces';
+import type { BuiltinSurfaceName } from '../model/surfaces/builtinSurfaces';
+
+/** Code of the actions, fetched with the first of them. */
+const runs = async (): Promise<typeof import('./materialRuns')> => import('./materialRuns');
 
 /** Renderers of the selected objects. */
 export const renderersOf = ({ document }: EditorApi): ObjectRenderer[] =>
@@ -18,14 +21,7 @@ export const newMaterial: Action = {
   id: 'material.new',
   label: 'New material',
   icon: 'contrast',
-  async run(editor) {
-    const { addMaterial } = await import('../model/assetEdits');
-    const { document, commands } = editor;
-    const { command, name } = addMaterial(document.scene, t('Material'), { kind: 'physical' }, renderersOf(editor));
-    commands.run(command);
-    document.assetSelection.set([name]);
-    editor.layout.open('inspector');
-  },
+  run: async (editor) => (await runs()).newMaterial(editor, renderersOf(editor)),
 };
 
 /** Makes a library material of the first selected object's own, and assigns it to all selected objects. */
@@ -34,17 +30,7 @@ export const makeMaterial: Action = {
   label: 'Make material asset',
   icon: 'contrast',
   enabled: (editor) => renderersOf(editor).some(({ material, shader }) => material === null && shader === null),
-  async run(editor) {
-    const { addMaterial, valuesOfOwnMaterial } = await import('../model/assetEdits');
-    const { document, commands } = editor;
-    const renderers = renderersOf(editor);
-    const first = renderers.find(({ material, shader }) => material === null && shader === null)!;
-    const materialName = t('{name} material', { name: first.gameObject.name });
-    const made = addMaterial(document.scene, materialName, valuesOfOwnMaterial(first), renderers);
-    commands.run(made.command);
-    document.assetSelection.set([made.name]);
-    editor.layout.open('inspector');
-  },
+  run: async (editor) => (await runs()).makeMaterial(editor, renderersOf(editor)),
 };
 
 /** Unpacks the selected models into trees of objects. */
@@ -53,18 +39,7 @@ export const unpackModel: Action = {
   label: 'Unpack model',
   icon: 'tree',
   enabled: (editor) => modelsOf(editor).length > 0,
-  async run(editor) {
-    const { unpackModels, whatStaysLinked } = await import('../model/unpackModels');
-    const { document, commands } = editor;
-    const { scene } = document;
-    const models = modelsOf(editor);
-    await Promise.all(models.map(({ model }) => document.assets.load(model!)));
-    if (document.scene !== scene) return;
-    const names = models.map(({ model }) => model!);
-    commands.run(unpackModels(scene, models));
-    const linked = whatStaysLinked(document.assets, names);
-    if (linked !== null) editor.notices.show('info', linked);
-  },
+  run: async (editor) => (await runs()).unpackModel(editor, modelsOf(editor)),
 };
 
 /** Adds a script to the library and its component to the selected objects, and opens the script. */
@@ -83,24 +58,7 @@ const newSurface = (id: BuiltinSurfaceName, label: string, nameOf: () => string)
   id: `surface.${id}`,
   label,
   icon: 'code',
-  async run(editor) {
-    const [{ builtinSurfaces }, { addSurface, surfaceWearers }] = await Promise.all([
-      import('../model/surfaces/builtinSurfaces'),
-      import('../model/surfaceEdits'),
-    ]);
-    const { document, commands } = editor;
-    const users = surfaceWearers(document.selectedObjects);
-    const { material, needsGrid }: BuiltinSurface = builtinSurfaces[id];
-    let { source }: BuiltinSurface = builtinSurfaces[id];
-    if (source === '') {
-      const { thesisSurface } = await import('../model/surfaces/thesisSurface');
-      source = await thesisSurface(id as 'directional' | 'point' | 'spot');
-    }
-    const made = addSurface(document.scene, nameOf(), source, material, users, needsGrid);
-    commands.run(made.command);
-    document.assetSelection.set([made.material ?? made.surface]);
-    editor.layout.open('inspector');
-  },
+  run: async (editor) => (await runs()).newSurface(editor, id, nameOf()),
 });
 
 export const newSurfaces: readonly Action[] = [

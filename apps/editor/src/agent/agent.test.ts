@@ -104,6 +104,25 @@ describe('edits of an agent', () => {
     expect(texts()).toBe(after);
   });
 
+  it('add lamps, props and skies of the library, which share what they are made of', async () => {
+    const before = texts();
+    const { objects } = await call('batch', {
+      edits: [
+        { edit: 'add_object', what: 'Street lamp', position: [2, 0, 0] },
+        { edit: 'add_object', what: 'street lamp', name: 'Second', position: [-2, 0, 0] },
+        { edit: 'add_object', what: 'Bench' },
+        { edit: 'add_object', what: 'Foggy night' },
+      ],
+    });
+    expect((objects as { path: string }[]).map(({ path }) => path)).toEqual(['Street lamp', 'Second', 'Bench']);
+    const { scene } = document;
+    expect(scene.prefabs.list.map(({ id }) => id)).toEqual(['library-street-lamp', 'library-bench']);
+    expect(scene.find('Second')!.transform.getAuthored('position')).toEqual([-2, 0, 0]);
+    expect(scene.settings.volumetricFog).toBe(true);
+    await call('undo');
+    expect(texts()).toBe(before);
+  });
+
   it.each([
     [{ edit: 'move_object', object: 'Lanp', by: [0, 1, 0] }, /^Edit 2 \(move_object\): There is no object “Lanp”/],
     [{ edit: 'set_fields', object: 'Lamp', component: 'Light', values: { range: -1 } }, /Light\.range must be/],

@@ -1,14 +1,20 @@
 import { type Command, SetFields } from '@farol/editing';
 import { type Component, GameObject, type Scene } from '@farol/engine';
 import type { FieldOwner, FieldValue, Vector3Tuple } from '@farol/engine/fields';
+import { instantiatePrefab } from '@farol/engine/prefabs';
 import type { Edit } from '@farol/mcp/tools';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { EditorApi } from '../api/EditorApi';
+import { giveSky } from '../files/library/giveSky';
+import { bringItem } from '../files/library/placeLibraryItem';
 import { poseEdits } from '../model/cameraEdits';
 import type { Container } from '../model/commands/Placement';
+import { Sequence } from '../model/commands/Sequence';
 import { addComponent, addObject, deleteObjects, moveObjects, removeComponents } from '../model/edits';
 import { renameObject, setActive, setLocked, setStatic } from '../model/edits';
-import { creationNames } from './creationNames';
+import { buildLibraryItem } from '../model/library/buildLibraryItem';
+import { skies } from '../model/library/skies';
+import { creationNames, libraryId } from './creationNames';
 import { duplicateAlong } from './duplicateAlong';
 import { storedValue } from './fieldValues';
 import { findObject, findObjects } from './findObjects';
@@ -80,10 +86,23 @@ const isPlacing = (place: Place): boolean =>
 
 async function addEdit(editor: EditorApi, edit: EditOf<'add_object'>): Promise<PreparedEdit> {
   const { scene, selection } = editor.document;
-  const object = await creationNames(scene).make(edit.what);
-  if (edit.name !== undefined) object.name = edit.name;
+  const id = libraryId(edit.what);
+  if (id !== null && Object.hasOwn(skies, id)) {
+    const sky = skies[id as keyof typeof skies];
+    return { make: [() => giveSky(scene, edit.what, sky, selection.ids)], touched: () => [] };
+  }
+  const item = id === null ? null : buildLibraryItem(id);
+  let object: GameObject;
+  if (item === null) object = await creationNames(scene).make(edit.what);
   const make = [
-    () => addObject(scene, object, containerOf(scene, edit.parent), selection.ids),
+    () => {
+      // not before: an earlier edit may have brought the prefab
+      const { prefab, steps } = item === null ? { prefab: null, steps: [] } : bringItem(scene, item);
+      if (prefab !== null) object = instantiatePrefab(prefab, scene.registry);
+      if (edit.name !== undefined) object.name = edit.name;
+      const add = addObject(scene, object, containerOf(scene, edit.parent), selection.ids);
+      return new Sequence(add.label, [...steps, () => add]);
+    },
     ...(isPlacing(edit) ? [() => placing(object, edit, scene)] : []),
     ...Object.entries(edit.components ?? {}).map(([type, values]) => () => {
       const found = object.getComponent(type);

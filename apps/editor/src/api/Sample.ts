@@ -27,6 +27,11 @@ const ofFiles: readonly Sample[] = [
     'Play, then walk up the steps. The door opens when you come near; push the crates.',
   ),
   ofFile(
+    'foggy-street.farol',
+    'Foggy street',
+    'Lamps, the moon and a car in fog. Play; then open Frame and change the density of “Volumetric fog”.',
+  ),
+  ofFile(
     'fire.json',
     'Fire and sparks',
     'Every spark is a light. Select “Sparks” and watch; change its rate, its curves, and what it lights.',

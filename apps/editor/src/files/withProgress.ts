@@ -1,10 +1,10 @@
-import type { Dialogs } from '../model/Dialogs';
+import type { Dialogs, WorkProgress } from '../model/Dialogs';
 
 /** Duration of work after which a progress dialog opens (ms). */
 const LONG = 1000;
 
 /**
- * Runs work with a progress dialog that opens after a second and can cancel it.
+ * Runs work with a progress dialog that can cancel it, and opens after a second, or at once where it tells how far the work is.
  * @param run - gets a signal that is aborted when the user cancels
  * @throws AbortError (as a rejection) when cancelled, else whatever the work throws
  */
@@ -12,9 +12,10 @@ export async function withProgress<T>(
   dialogs: Dialogs,
   title: string,
   run: (signal: AbortSignal) => Promise<T>,
+  progress?: WorkProgress,
 ): Promise<T> {
   const control = new AbortController();
-  const request = { kind: 'progress', title } as const;
+  const request = { kind: 'progress', title, progress } as const;
   let isDone = false;
   let timer: ReturnType<typeof setTimeout>;
   const tell = (): void => {
@@ -27,7 +28,7 @@ export async function withProgress<T>(
       if (!isDone) control.abort();
     });
   };
-  timer = setTimeout(tell, LONG);
+  timer = setTimeout(tell, progress ? 0 : LONG);
   try {
     return await run(control.signal);
   } finally {

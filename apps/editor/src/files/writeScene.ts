@@ -4,6 +4,7 @@ import { containerContent, inlineAssets, writeContainer } from '@farol/engine/fi
 import type { EditorApi } from '../api/EditorApi';
 import { fileNameOf } from './fileNameOf';
 import { fileType } from './fileType';
+import { keepPicture } from './recent/scenePicture';
 import { mayReplace, notSaved, saveFile, seenFile } from './saveFile';
 
 /**
@@ -45,6 +46,7 @@ async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): 
   const { scene } = editor.document;
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(scene.name)}.farol`;
   const step = editor.commands.last;
+  await keepPicture(editor, fileName);
   // the picker returns the file; browsers without one download and return none
   let content = await bytesFor(scene, fileName);
   let saved = await saveFile(content, { ...fileType, fileName }, handle);

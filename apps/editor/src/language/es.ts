@@ -20,6 +20,7 @@ import { particles } from './es/particles';
 import { photometry } from './es/photometry';
 import { physics } from './es/physics';
 import { picture } from './es/picture';
+import { pixelLighting } from './es/pixelLighting';
 import { player } from './es/player';
 import { profiles } from './es/profiles';
 import { rendering } from './es/rendering';
@@ -59,6 +60,7 @@ export const es: Texts = {
   ...photometry,
   ...physics,
   ...picture,
+  ...pixelLighting,
   ...player,
   ...profiles,
   ...rendering,

@@ -27,10 +27,21 @@ export interface ProblemsDialog {
   readonly listLabel?: string;
 }
 
+/** How far a long task is. */
+export interface WorkProgress {
+  /** Emits when the rest has changed. */
+  readonly changed: Signal;
+  /** From 0 to 1. */
+  readonly share: number;
+  readonly text: string;
+}
+
 /** Progress of a long task; closing the dialog cancels the task. */
 export interface ProgressDialog {
   readonly kind: 'progress';
   readonly title: string;
+  /** How far it is; absent when that is not known. */
+  readonly progress?: WorkProgress;
 }
 
 /** Lists the keyboard shortcuts. */
@@ -84,6 +95,11 @@ export interface PictureDialog {
   readonly kind: 'picture';
 }
 
+/** Format, size, time and camera of a film that is saved. */
+export interface FilmDialog {
+  readonly kind: 'film';
+}
+
 /** Asks whether agents may edit, and says how one is set up. */
 export interface AgentDialog {
   readonly kind: 'agent';
@@ -114,6 +130,7 @@ export type DialogRequest =
   | ExportDialog
   | PhoneDialog
   | PictureDialog
+  | FilmDialog
   | AgentDialog;
 
 /** The open dialog; one at a time. */

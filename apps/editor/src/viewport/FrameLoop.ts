@@ -14,8 +14,8 @@ export class FrameLoop {
   /** Whether every frame is drawn, requested or not. */
   continuous = false;
 
-  /** Number of frames still to be drawn. */
-  private pending = 1;
+  /** Number of frames still to be drawn; grows while the loop is stopped too. */
+  pending = 1;
   private request = 0;
   /** Time of the last animation frame (ms); 0 before the first. */
   private last = 0;

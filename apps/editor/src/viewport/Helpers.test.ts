@@ -1,8 +1,10 @@
-import { GameObject } from '@farol/engine';
-import { PerspectiveCamera, type WebGLRenderer } from 'three';
+import { GameObject, Light } from '@farol/engine';
+import { type BufferAttribute, PerspectiveCamera, type WebGLRenderer } from 'three';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { EditorDocument } from '../model/EditorDocument';
 import { Helpers } from './Helpers';
+import { IconPoints } from './IconPoints';
+import { SceneStamps } from './SceneStamps';
 // fetched already where the helpers fetch it
 import './SelectionLines';
 
@@ -20,7 +22,7 @@ function open() {
   document.scene.add(box);
   const redraw = vi.fn<() => void>();
   const failed = vi.fn<(error: unknown) => void>();
-  const helpers = new Helpers(document, redraw, failed);
+  const helpers = new Helpers(document, new SceneStamps(document, () => {}), redraw, failed);
   const webgl = { autoClear: true, render: () => {}, getPixelRatio: () => 1 } as unknown as WebGLRenderer;
   const draw = async (): Promise<void> => {
     helpers.render(webgl, new PerspectiveCamera(), null, false);
@@ -49,4 +51,24 @@ it('the picture is drawn anew once the lines of ranges are fetched, with nothing
   await draw();
   expect(redraw).toHaveBeenCalledTimes(1);
   helpers.dispose();
+});
+
+it('icons are written anew when lights move or change their colour, not when they are dimmed or the view turns', async () => {
+  const { document, box, helpers, draw } = open();
+  const light = box.addComponent(Light);
+  const { attributes } = (helpers.scene.children.find((each) => each instanceof IconPoints) as IconPoints).geometry;
+  const written: number[] = [];
+  const after = async (edit: () => void): Promise<void> => {
+    edit();
+    await draw();
+    written.push((attributes.tint as BufferAttribute).version);
+  };
+  await after(() => {});
+  await after(() => {});
+  await after(() => (light.intensity = 3));
+  await after(() => document.selection.set([box.id]));
+  expect([attributes.selected.array[0], ...written]).toEqual([1, 1, 1, 1, 1]);
+  await after(() => (light.diffuse = [1, 0, 0]));
+  await after(() => (box.transform.position = [1, 2, 3]));
+  expect(written.slice(-2)).toEqual([2, 3]);
 });

@@ -5,6 +5,7 @@ import { Grid } from './Grid';
 import { IconPoints } from './IconPoints';
 import { LatePart } from './LatePart';
 import type { PickHit } from './pick';
+import type { SceneStamps } from './SceneStamps';
 import type { SelectionLines } from './SelectionLines';
 
 /**
@@ -22,11 +23,13 @@ export class Helpers {
   private readonly lines: LatePart<SelectionLines>;
 
   /**
+   * @param stamps - tell what has changed since icons were drawn
    * @param redraw - called when the picture is to be drawn anew
    * @param failed - called when the code of the selection's lines cannot be fetched
    */
   constructor(
     private readonly document: EditorDocument,
+    private readonly stamps: SceneStamps,
     redraw: () => void,
     failed: (error: unknown) => void,
   ) {
@@ -65,11 +68,7 @@ export class Helpers {
    * @param isDragging - whether the gizmo is being dragged: then only transforms change
    */
   render(webgl: WebGLRenderer, camera: Camera, lookThrough: CameraComponent | null, isDragging: boolean): void {
-    const { scene, selection } = this.document;
-    if (this.icons.visible) {
-      const selected = new Set(selection.ids);
-      this.icons.refresh(scene, ({ id }) => selected.has(id), webgl.getPixelRatio(), lookThrough);
-    }
+    if (this.icons.visible) this.icons.follow(this.document, this.stamps, webgl.getPixelRatio(), lookThrough);
     const { autoClear } = webgl;
     webgl.autoClear = false;
     this.lines.get()?.render(webgl, camera, lookThrough, this.showRanges, isDragging);

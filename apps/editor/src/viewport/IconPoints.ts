@@ -24,7 +24,9 @@ import {
 import { iconKinds, makeIconAtlas } from './iconAtlas';
 import fragmentShader from './icons.frag.glsl?raw';
 import vertexShader from './icons.vert.glsl?raw';
+import type { EditorDocument } from '../model/EditorDocument';
 import type { PickHit } from './pick';
+import type { SceneStamps } from './SceneStamps';
 
 /** Size of an icon (CSS pixels) when there are few. */
 const SIZE = 20;
@@ -50,6 +52,12 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   private readonly shown: GameObject[] = [];
   /** Current size of an icon (CSS pixels). */
   private size = SIZE;
+  /** State that the icons were last brought up to date for. */
+  private readonly drawn = {
+    scene: null as Scene | null,
+    without: null as Camera | null,
+    ...{ places: -1, icons: -1, selection: -1, pixelRatio: 0 },
+  };
 
   constructor() {
     super(
@@ -68,20 +76,25 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     this.grow(64);
   }
 
-  /** Updates positions and colours. @param without - a camera that is looked through, which gets no icon */
-  refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
-    this.shown.length = 0;
-    let count = 0;
-    for (const type of types) count += scene.componentsOf(type).length;
-    this.size = Math.max(LEAST, SIZE * Math.min(1, Math.sqrt(MANY / Math.max(count, 1))));
+  /**
+   * Brings positions and colours up to date where something has changed since the last call.
+   * @param without - a camera that is looked through, which gets no icon
+   */
+  follow(
+    { scene, selection }: EditorDocument,
+    { places, icons }: SceneStamps,
+    pixelRatio: number,
+    without: Camera | null,
+  ): void {
+    const { drawn } = this;
+    const { revision } = selection.changed;
+    const isSame =
+      drawn.scene === scene && drawn.places === places && drawn.icons === icons && drawn.without === without;
+    if (isSame && drawn.selection === revision && drawn.pixelRatio === pixelRatio) return;
+    if (!isSame) this.collect(scene, without);
+    this.select(selection.ids);
     this.material.uniforms.size.value = this.size * pixelRatio;
-    this.grow(count);
-    for (const type of types) {
-      for (const each of scene.componentsOf(type))
-        if (each.isActive && each !== without) this.addIcon(each, isSelected);
-    }
-    this.geometry.setDrawRange(0, this.shown.length);
-    for (const name in this.geometry.attributes) this.geometry.attributes[name].needsUpdate = true;
+    Object.assign(drawn, { scene, places, icons, without, selection: revision, pixelRatio });
   }
 
   /**
@@ -115,14 +128,33 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     this.material.dispose();
   }
 
-  private addIcon(component: Component, isSelected: (object: GameObject) => boolean): void {
+  private collect(scene: Scene, without: Camera | null): void {
+    this.shown.length = 0;
+    let count = 0;
+    for (const type of types) count += scene.componentsOf(type).length;
+    this.size = Math.max(LEAST, SIZE * Math.min(1, Math.sqrt(MANY / Math.max(count, 1))));
+    this.grow(count);
+    for (const type of types) {
+      for (const each of scene.componentsOf(type)) if (each.isActive && each !== without) this.addIcon(each);
+    }
+    this.geometry.setDrawRange(0, this.shown.length);
+    for (const name in this.geometry.attributes) this.geometry.attributes[name].needsUpdate = true;
+  }
+
+  private select(ids: readonly string[]): void {
+    const selected = new Set(ids);
+    const attribute = this.geometry.attributes.selected as BufferAttribute;
+    for (let i = 0; i < this.shown.length; i++) attribute.array[i] = selected.has(this.shown[i].id) ? 1 : 0;
+    attribute.needsUpdate = true;
+  }
+
+  private addIcon(component: Component): void {
     const { geometry } = this;
     const { gameObject } = component;
     const i = this.shown.length;
     this.shown.push(gameObject);
     const { elements } = gameObject.object3D.matrixWorld;
     geometry.attributes.position.setXYZ(i, elements[12], elements[13], elements[14]);
-    geometry.attributes.selected.setX(i, isSelected(gameObject) ? 1 : 0);
     const isDecal = component instanceof Decal;
     geometry.attributes.kind.setX(i, kindOf[component instanceof Light ? component.type : kinds[component.typeName]]);
     if (component instanceof Light || isDecal) {

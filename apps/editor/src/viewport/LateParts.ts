@@ -101,6 +101,17 @@ export class LateParts {
       },
     );
   }
+
+  /** Draws the small picture of the selected camera. @param width - of the canvas (CSS pixels), as `height` */
+  drawPreview(width: number, height: number): void {
+    const { previewed, document } = this.host;
+    const preview = this.preview.get();
+    if (!previewed || !preview) return;
+    const { scene, edited, assetsChanged } = document;
+    const key = `${edited.revision} ${scene.time} ${assetsChanged.revision}`;
+    preview.render(scene, previewed, width, height, key);
+  }
+
   /**
    * Draws a ball of a material on a canvas of the page: see `MaterialBall.draw`.
    * @throws Error (as a rejection) when the code cannot be fetched; try again

@@ -27,6 +27,7 @@ import { PictureCamera } from './PictureCamera';
 import { PlayView } from './PlayView';
 import { PointerPicker } from './PointerPicker';
 import { SceneInput } from './SceneInput';
+import { SceneStamps } from './SceneStamps';
 import type { Shading } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
 
@@ -67,12 +68,13 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   private readonly added: AddedEffects;
   private readonly playView: PlayView;
   private readonly drawing = new PaneDrawing(this);
-  private assetChanges = 0;
   private drawnBy: TechniqueName = 'auto';
   private readonly endings: (() => void)[] = [];
   private readonly pictureCamera: PictureCamera;
   private readonly place: CanvasPlace;
   readonly loop: FrameLoop;
+  /** What has changed in the scene, by which frames leave out what is as it was. */
+  readonly stamps: SceneStamps;
   private ownPainter: Painter | null = null;
 
   /** @throws Error when the browser has no WebGL 2 */
@@ -82,9 +84,11 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   ) {
     super();
     const failed = (error: unknown): void => this.onError(error);
+    this.stamps = new SceneStamps(document, this.ask);
+    const { redraw } = this.stamps;
     this.loop = new FrameLoop({
       advance: (seconds) => this.advance(seconds),
-      draw: () => this.renderNow(),
+      draw: () => this.drawFrame(),
       failed,
       rest: () => this.farol.updateTimes() && this.timed.emit(),
     });
@@ -93,7 +97,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.webgl = createWebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.webgl.shadowMap.enabled = true;
     this.farol = new FarolRenderer(this.webgl, { timing: true });
-    this.picture = new PictureRenderer(this.farol, { redraw: this.redraw, failed });
+    this.picture = new PictureRenderer(this.farol, { redraw, failed });
     this.added = new AddedEffects(this.picture.effects);
     const dragged = (isDragging: boolean): void => void (this.editorCamera.enabled = !isDragging);
     this.panes = new Panes(
@@ -103,10 +107,10 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     );
     const surface = paneSurface(canvas, () => this.panes.bounds);
     // the handles must receive pointer events before the camera, which then stays still
-    this.gizmo = new Gizmo(document, surface, dragged, this.redraw, () => this.panes.listenLast());
+    this.gizmo = new Gizmo(document, surface, dragged, redraw, () => this.panes.listenLast());
     this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas, failed);
     this.place = new CanvasPlace(canvas, () => this.resize());
-    this.helpers = new Helpers(document, this.redraw, failed);
+    this.helpers = new Helpers(document, this.stamps, redraw, failed);
     this.helpers.scene.add(this.gizmo.three);
     this.parts = new LateParts(this);
     this.boxSelect = new BoxSelect(this);
@@ -120,17 +124,15 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
       () => this.changed.emit(),
     );
     this.playView = new PlayView(document, this);
-    const seen = [document.edited, document.selection.changed, document.simulation.changed, this.changed];
-    this.endings.push(...seen.map((signal) => signal.subscribe(this.redraw)));
     this.endings.push(
-      document.assetsChanged.subscribe(() => {
-        this.assetChanges++;
-        this.invalidate();
-      }),
+      this.changed.subscribe(this.ask),
       document.opened.subscribe(() => this.sceneOpened()),
+      document.structure.subscribe(() => {
+        // a camera that was removed shows nothing
+        if (this.pictureCamera.isLost) this.lookThrough = null;
+      }),
     );
-    this.endings.push(document.structure.subscribe(() => this.checkCamera()));
-    canvas.addEventListener('webglcontextrestored', this.redraw);
+    canvas.addEventListener('webglcontextrestored', redraw);
     this.loop.start();
   }
 
@@ -244,30 +246,29 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return { width, height };
   }
 
-  /** Requests the next frame, and as many more as temporal effects need to converge. */
+  /** Requests the next frame, and as many more as temporal effects need to converge; objects may have moved. */
   invalidate(): void {
-    this.loop.ask(this.picture.effects.frames);
+    this.stamps.redraw();
   }
 
   get addedEffects(): Registry<AddedEffect> {
     return this.added.registry;
   }
 
-  /** Draws a frame at once. */
+  /** Draws a frame at once; objects may have moved. */
   renderNow(): void {
+    this.stamps.move();
+    this.drawFrame();
+  }
+
+  private drawFrame(): void {
     const { width, height } = this.place;
     const { scene } = this.document;
     this.picture.follow(scene);
     this.drawing.drawAll(width, height);
     this.picture.effects.update(scene.settings);
     this.noticeTechnique();
-    const { previewed } = this;
-    const preview = this.parts.preview.get();
-    if (previewed && preview) {
-      const { edited } = this.document;
-      const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
-      preview.render(scene, previewed, width, height, key);
-    }
+    this.parts.drawPreview(width, height);
     this.statistics.add(performance.now());
     this.drawn.emit();
   }
@@ -324,6 +325,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.loop.stop();
     this.place.dispose();
     for (const end of this.endings) end();
+    this.stamps.dispose();
     this.picker.dispose();
     this.boxSelect.dispose();
     this.parts.dispose();
@@ -371,11 +373,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** Stops looking through a camera that was removed from the scene. */
-  private checkCamera(): void {
-    if (this.pictureCamera.isLost) this.lookThrough = null;
-  }
-
   private resize(): void {
     const { width, height } = this.place;
     this.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -386,7 +383,8 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.renderNow();
   }
 
-  private readonly redraw = (): void => this.invalidate();
+  /** Requests frames of a scene whose objects stay where they are. */
+  private readonly ask = (): void => this.loop.ask(this.picture.effects.frames);
 
   /** @returns whether a frame must be drawn because something is moving */
   private advance(seconds: number): boolean {
@@ -394,7 +392,9 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     simulation.advance(seconds);
     const step = Math.min(seconds, 0.1);
     const moved = this.pictureCamera.update(step);
-    if (this.panes.update(step) || moved) this.invalidate();
-    return (this.parts.particles.get()?.advance(seconds) ?? false) || simulation.isPlaying;
+    if (this.panes.update(step) || moved) this.ask();
+    const goesOn = (this.parts.particles.get()?.advance(seconds) ?? false) || simulation.isPlaying;
+    if (goesOn || this.loop.continuous || simulation.state !== 'stopped') this.stamps.move();
+    return goesOn;
   }
 }

@@ -4,8 +4,8 @@ import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
 
-/** Frames by one technique after which `auto` counts as settled. */
-const SETTLED = 12;
+/** Frames by one technique after which `auto` counts as settled: it changes some frames after it has estimated overdraw. */
+const SETTLED = 48;
 
 /** Farol by one of its techniques and a quality; its code is fetched before a frame is timed. */
 export function farol(technique: TechniqueName, quality: Required<FarolOptions>['quality'] = 'full'): Competitor {

@@ -18,7 +18,7 @@ const STEP = 1 / 60;
 /** Time at which pictures are compared (s). */
 const PICTURE_TIME = 1;
 /** Longest wait for a competitor that draws by another technique until its programs are compiled (ms). */
-const SETTLING = 500;
+const SETTLING = 1500;
 /** Frames whose passes are timed. */
 const TIMED = 9;
 /** Frames before the first times of passes arrive. */

@@ -1,14 +1,16 @@
 /**
  * A technique of your own
  *
- * An array of passes made of the parts of `@farol/renderer/authoring`: the G-buffer, filled from near to far.
+ * Passes put together from `@farol/renderer/authoring`: stone by a G-buffer, glass forward, both by one set of light lists.
  *
- * @tags technique, authoring, deferred
+ * @tags technique, authoring, deferred, transparency
  */
 import { FarolRenderer } from '@farol/renderer';
 import {
   ACESFilmicToneMapping,
+  CircleGeometry,
   Color,
+  DoubleSide,
   HemisphereLight,
   Mesh,
   MeshBasicMaterial,
@@ -22,18 +24,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import {
-  DeferredOutputPass,
-  fitsGBuffer,
-  forwardTail,
-  type Frame,
-  GBufferTarget,
-  gbufferTwin,
-  LightVolumesPass,
-  type Pass,
-  type RenderItem,
-  type Technique,
-} from '@farol/renderer/authoring';
+import { forwardTail, GBufferPass, LightTilesPass, type Technique, TiledOutputPass } from '@farol/renderer/authoring';
 
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: true });
@@ -48,45 +39,22 @@ const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
 controls.update();
 
-/** Fills the G-buffer from near to far, whatever the materials: what is hidden is not shaded. */
-class NearFirstPass implements Pass {
-  readonly name = 'surfaces, near first';
-  readonly reads = [] as const;
-  readonly writes = ['gbuffer', 'scene-depth'] as const;
-  private readonly target = new GBufferTarget();
-  private readonly items: RenderItem[] = [];
-
-  get bytes(): number {
-    return this.target.bytes;
-  }
-
-  render(frame: Frame): void {
-    const { items } = this;
-    items.length = 0;
-    for (const item of frame.queue.opaque) if (fitsGBuffer(item)) items.push(item);
-    items.sort((a, b) => a.z - b.z);
-    const gbuffer = this.target.begin(frame);
-    for (const item of items) {
-      frame.drawTwin(item, gbufferTwin);
-      item.drawn = true; // else it is drawn forward too
-    }
-    frame.resources.put('gbuffer', gbuffer);
-    frame.resources.put('scene-depth', gbuffer.depth);
-  }
-
-  dispose(): void {
-    this.target.dispose();
-  }
-}
-const nearFirst: Technique = {
-  label: 'Deferred, near first',
-  help: 'Deferred shading that draws near surfaces before far ones.',
-  lightOrder: 'by-volume',
+const sharedLists: Technique = {
+  label: 'Tiled, shared lists',
+  help: 'Tiled deferred shading whose transparent surfaces are lit by the same lists as the opaque ones.',
+  lightOrder: 'by-depth',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes: () => [new NearFirstPass(), new LightVolumesPass(), new DeferredOutputPass(), ...forwardTail('lightLoopAll')],
+  writes: ['gbuffer'],
+  passes: () => [
+    new GBufferPass(),
+    // lists of a tile's whole depth: those of 'slices' hold what reaches opaque surfaces alone, and would not do for glass
+    new LightTilesPass('none'),
+    new TiledOutputPass(),
+    ...forwardTail('lightLoopTiled', ['light-lists']),
+  ],
 };
-farol.technique = farol.addTechnique('near-first', nearFirst);
+farol.technique = farol.addTechnique('shared-lists', sharedLists);
 
 const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x7e8088, roughness: 0.85 }));
 floor.rotation.x = -Math.PI / 2;
@@ -97,6 +65,15 @@ for (let i = 0; i < 14; i++) {
   const mesh = new Mesh(arch, new MeshStandardMaterial({ color, roughness: 0.7 }));
   mesh.position.set(1.6 * Math.sin(0.45 * i), 0.9, 5 - 1.3 * i);
   mesh.rotation.y = 0.5 * Math.cos(0.45 * i);
+  scene.add(mesh);
+}
+const pane = new CircleGeometry(1.5, 48);
+for (let i = 0; i < 7; i++) {
+  const color = new Color().setHSL(0.5 + 0.06 * i, 0.6, 0.7);
+  const glass = new MeshStandardMaterial({ color, roughness: 0.2, transparent: true, opacity: 0.35, side: DoubleSide });
+  const mesh = new Mesh(pane, glass);
+  mesh.position.set(1.6 * Math.sin(0.9 * i), 0.9, 5 - 2.6 * i);
+  mesh.rotation.y = 0.5 * Math.cos(0.9 * i);
   scene.add(mesh);
 }
 const bulb = new SphereGeometry(0.06, 16, 12);

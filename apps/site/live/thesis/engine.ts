@@ -75,7 +75,7 @@ let time = 0;
 figure.drawFrame = () => farol.render(scene.three, camera);
 controls.choice<TechniqueName>({
   name: 'technique',
-  label: 'Render Type',
+  label: say('Technique', 'Técnica'),
   value: 'forward-single-pass',
   options: [
     ['forward-single-pass', 'Forward'],

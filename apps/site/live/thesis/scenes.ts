@@ -104,7 +104,7 @@ controls.range({
 });
 controls.choice<TechniqueName>({
   name: 'technique',
-  label: 'Render Type',
+  label: say('Technique', 'Técnica'),
   value: 'deferred',
   options: [
     ['auto', 'Auto'],

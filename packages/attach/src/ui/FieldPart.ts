@@ -109,12 +109,13 @@ type Typed = number | ((before: number) => number);
 
 /**
  * Makes an input that accepts expressions, units and `+=`, as number fields of Farol's own editor do. Arrow keys step.
+ * @param textOf - text of the owners' values; without decimals beyond a step, where one is given
  * @param updateOf - converts a typed number, or function, to the update of the field
  */
 function numericPart(
   range: NumberRange & { readonly step: number },
   properties: Record<string, unknown>,
-  textOf: (values: readonly FieldValue[]) => string | null,
+  textOf: (values: readonly FieldValue[], step?: number) => string | null,
   updateOf: (shown: Typed) => PartUpdate,
 ): FieldPart {
   const { min, max, step } = range;
@@ -151,7 +152,20 @@ function numericPart(
     isStepped = false;
     control.dispatchEvent(new Event('change', { bubbles: true }));
   });
-  control.addEventListener('focus', () => control.select());
+  // all decimals while the field is edited
+  let hasFocus = false;
+  let last: readonly FieldValue[] | null = null;
+  const text = (values: readonly FieldValue[]): string | null => textOf((last = values), hasFocus ? undefined : step);
+  control.addEventListener('focus', () => {
+    hasFocus = true;
+    if (last) made.show(last);
+    control.select();
+  });
+  control.addEventListener('blur', () => {
+    const isUntouched = last !== null && control.value === textOf(last);
+    hasFocus = false;
+    if (isUntouched) made.show(last!);
+  });
   const read = (): PartUpdate | null | undefined => {
     if (control.value.trim() === '') return null;
     const typed = readNumberInRange(control.value, range);
@@ -161,7 +175,8 @@ function numericPart(
   };
   const unfinished = (): string | null =>
     control.value.trim() === '' ? null : readNumberInRange(control.value, range).problem;
-  return { ...part(control, textOf, write, read), unfinished };
+  const made = part(control, text, write, read);
+  return { ...made, unfinished };
 }
 
 /**
@@ -169,16 +184,16 @@ function numericPart(
  */
 function numberPart(field: Field, id: string, label: string, axis?: number): FieldPart {
   const { toShown, fromShown, ...range } = numberDisplay(field);
-  const text = (value: number | null): string | null =>
-    value === null ? null : formatNumber(toShown(value), axis === undefined ? 'long' : 'short');
+  const text = (value: number | null, step?: number): string | null =>
+    value === null ? null : formatNumber(toShown(value), axis === undefined ? 'long' : 'short', step);
   const inField = (shown: Typed): number | ((before: number) => number) =>
     typeof shown === 'function' ? (before) => fromShown(shown(toShown(before))) : fromShown(shown);
   const made = numericPart(
     range,
     { id, 'aria-label': label },
-    (values) => {
+    (values, step) => {
       const { value, parts } = sharedValue(values);
-      if (axis === undefined) return text(value as number | null);
+      if (axis === undefined) return text(value as number | null, step);
       return text((value as Vector3Tuple | null)?.[axis] ?? parts![axis]);
     },
     (shown) => (axis === undefined ? inField(shown) : withCoordinate(axis, inField(shown))),

@@ -151,6 +151,7 @@ export class Light extends component(lightFields) {
   override onFieldChanged(name: string): void {
     if (name === 'mode') this.onActiveChanged();
     else if (name === 'type') this.makeLight();
+    else if (name === 'intensity') this.applyIntensity();
     else {
       if (name === 'group' && this.scene) LightGroups.of(this.scene).join(this, this.group);
       this.applyFields();
@@ -174,17 +175,20 @@ export class Light extends component(lightFields) {
     const { given } = this;
     applyLightFields(this, three, this.scene?.settings.shadowSoftness);
     if (given) three.color.setRGB(...given.colour);
-    if (given) three.intensity = given.intensity;
-    if (three instanceof PointLight || three instanceof SpotLight) {
-      const profile = this.takeProfile();
-      storeLightOptions(three, { profile: profile?.texture });
-      if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
-    }
-    this.fullIntensity = three.intensity;
+    if (three instanceof PointLight || three instanceof SpotLight)
+      storeLightOptions(three, { profile: this.takeProfile()?.texture });
+    this.applyIntensity();
     const { master } = this;
-    if (!master) return;
-    three.intensity *= master.dimmer;
-    tintLight(three, master.colour);
+    if (master) tintLight(three, master.colour);
+  }
+
+  /** Writes the intensity to the three light: that of the field, by the profile and the group's dimmer. */
+  private applyIntensity(): void {
+    const { three, given } = this;
+    const isLocal = three instanceof PointLight || three instanceof SpotLight;
+    const profile = isLocal && this.profileIntensity ? this.takeProfile() : null;
+    this.fullIntensity = (given?.intensity ?? this.intensity) * (profile?.maximumIntensity ?? 1);
+    three.intensity = this.fullIntensity * (this.master?.dimmer ?? 1);
   }
 
   private get master(): LightMaster | null {

@@ -86,6 +86,28 @@ describe('the master of a group', () => {
     scene.dispose();
   });
 
+  test('dims the lights of particles, whose own value stays, in whatever order they are put into it', async () => {
+    await loadParticleCode();
+    const { scene, desk, group } = street();
+    group.dimmer = 0.5;
+    const fire = new GameObject('Fire');
+    const emitter = fire.addComponent(ParticleEmitter, { shine: true, lightIntensity: 3, group: desk.id });
+    scene.add(fire);
+    const shines = (): number => emitter.three!.lightIntensity;
+    expect(shines()).toBe(1.5);
+    group.dimmer = 0.25;
+    expect([shines(), emitter.lightIntensity]).toEqual([0.75, 3]);
+    emitter.lightIntensity = 4;
+    expect(shines()).toBe(1);
+    emitter.group = null;
+    expect(shines()).toBe(4);
+    emitter.group = desk.id;
+    group.enabled = false;
+    expect(shines()).toBe(0);
+    desk.removeComponent(group);
+    expect(shines()).toBe(4);
+  });
+
   test('is saved with the scene, and works in whatever order its parts are read', async () => {
     const { scene, group } = street();
     group.dimmer = 0.25;
@@ -111,7 +133,7 @@ describe('the master of a group', () => {
     expect(shining(lights)).toEqual([1, 2]);
   });
 
-  test('a dimmer sets the intensities of its own lights, and nothing else of any light', () => {
+  test('a dimmer, and a light’s own intensity, set intensities, and nothing else of any light', () => {
     const { group, lights, scene } = street(3);
     lights[2].group = null;
     let applied = 0;
@@ -124,6 +146,8 @@ describe('the master of a group', () => {
     }
     group.dimmer = 0.5;
     expect([applied, ...shining(lights)]).toEqual([0, 0.5, 1, 3]);
+    lights[1].intensity = 4;
+    expect([applied, ...shining(lights)]).toEqual([0, 0.5, 2, 3]);
     group.colour = [1, 0, 0];
     expect(applied).toBe(2);
   });

@@ -6,7 +6,8 @@ import { LightGroups } from './lightGroups';
 
 /**
  * Master of the lights whose `group` is the component's object: multiplies their intensities and colours, which stay as
- * they are. While it is switched off, or its object is, the lights are dark. Timelines and scripts may move the master.
+ * they are; the lights of particles are dimmed alone. While it is switched off, or its object is, the lights are dark.
+ * Timelines and scripts may move the master.
  */
 export class LightGroup extends component({
   dimmer: number(1, {

@@ -82,6 +82,7 @@ export class ParticleEmitter extends component(particleFields) {
   override onEnterScene(scene: Scene): void {
     this.beganAt = scene.time;
     LightGroups.of(scene).add(this);
+    LightGroups.of(scene).join(this, this.group);
     this.make(scene);
   }
 
@@ -96,7 +97,9 @@ export class ParticleEmitter extends component(particleFields) {
 
   override onFieldChanged(name: string): void {
     const { scene, emitter } = this;
+    if (name === 'group' && scene) LightGroups.of(scene).join(this, this.group);
     if (!scene || !emitter) return;
+    if (name === 'group') return this.followGroup();
     if (name === 'mesh' || name === 'texture') return this.fetchPart(scene, name);
     if (name === 'surface' || name === 'shape') this.parts.surface = this.findSurface();
     emitter.emitting = this.emitting;
@@ -133,6 +136,13 @@ export class ParticleEmitter extends component(particleFields) {
     if (lights && this.scene) lights.visible = !LightGroups.of(this.scene).isMuted(this);
   }
 
+  /** @internal Called when the factors of the lights' group change. */
+  followGroup(): void {
+    const { emitter, scene, group, lightIntensity } = this;
+    if (!emitter || !scene) return;
+    emitter.lightIntensity = lightIntensity * (LightGroups.of(scene).masterOf(group)?.dimmer ?? 1);
+  }
+
   private make(scene: Scene): void {
     const code = particleCode();
     if (code === null) {
@@ -149,6 +159,7 @@ export class ParticleEmitter extends component(particleFields) {
     this.followColliders();
     emitter.set(code.particleSettings(this, this.parts));
     emitter.emitting = this.emitting;
+    this.followGroup();
     for (const name of ['mesh', 'texture'] as const) if (this[name] !== null) this.fetchPart(scene, name);
     this.show();
     const due = scene.time - this.beganAt;
@@ -166,6 +177,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter || !scene) return;
     const { time } = emitter;
     emitter.set(particleCode()!.changedSetting(field, this, this.parts));
+    if (field === 'lightIntensity') this.followGroup();
     this.followSolo();
     // a setting that restarts the emitter makes emission begin at the present time
     if (time > 0 && emitter.time === 0) this.beganAt = scene.time;

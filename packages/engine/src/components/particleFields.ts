@@ -380,4 +380,11 @@ export const particleFields = {
     label: 'Range',
     ...when('shine', true),
   }),
+  group: object(null, {
+    ...light,
+    help: 'Object with a Light Group, whose dimmer multiplies the intensity.',
+    label: 'Light group',
+    noneLabel: 'No group',
+    ...when('shine', true),
+  }),
 } as const;

@@ -1,6 +1,7 @@
 import type { AssetType, FieldValue } from '@farol/editing/fields';
 import type { FileObject } from '../core/FileObject';
 import type { Prefab } from '../core/Prefab';
+import type { ScenePicture } from '../core/ScenePicture';
 import type { SceneView } from '../core/SceneViews';
 
 export type { FileComponent, FileObject, PrefabLink } from '../core/FileObject';
@@ -54,6 +55,8 @@ export interface FarolFile {
   microShaders?: Record<string, string>;
   /** Views that editors keep, by their places. None when absent. */
   views?: FileView[];
+  /** Small picture of the scene, by which lists of files show it. None when absent. */
+  picture?: ScenePicture;
   /** Prefabs of the scene; none when absent. */
   prefabs?: Prefab[];
   objects: FileObject[];

@@ -55,6 +55,11 @@ const broken: [string, unknown, RegExp][] = [
     /views\[0\]\.place must be a whole number from 1/,
   ],
   [
+    'a picture from elsewhere',
+    file((_, f) => (f.picture = { url: 'https://example.org/a.webp' })),
+    /picture\.url must be a WebP, JPEG or PNG/,
+  ],
+  [
     'two views in one place',
     file(
       (_, f) =>

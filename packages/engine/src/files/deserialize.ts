@@ -170,6 +170,7 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     for (const root of makeObjects(checked.objects, registry)) scene.add(root);
     for (const [name, text] of Object.entries(checked.microShaders ?? {})) scene.microShaders.set(name, text);
     for (const { place, ...view } of checked.views ?? []) scene.views.set(place, view);
+    scene.picture = checked.picture ?? null;
     for (const name of Object.keys(checked.settings)) scene.settings.set(name, checked.settings[name]);
     const camera = checked.activeCamera === null ? null : scene.findById(checked.activeCamera);
     scene.activeCamera = camera?.components.find(isCameraComponent) ?? null;

@@ -117,6 +117,7 @@ const file: Required<FarolFile> = {
   assets: [{ name: 'Props/gold', type: 'material', values: { metalness: 1 } }],
   assetFolders: ['Props'],
   microShaders: { 'own/tint': 'vec3 tint;\n' },
+  picture: { url: 'data:image/webp;base64,UklGRg==', chosen: true },
   views: [{ place: 7, ...view }],
   prefabs: [prefab],
   objects: [

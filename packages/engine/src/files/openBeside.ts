@@ -19,6 +19,8 @@ export const handoverMessages = {
 
 /** Options of `openBeside`. */
 export interface OpenBesideOptions {
+  /** Page of the app, relative to its address, such as '../guides/lights.html'. Default: the app itself. */
+  readonly path?: string;
   /** Fragment of the address, after `#`. */
   readonly fragment?: string;
   /** Handed over when the page asks for it; the address says `?from=` and the own origin then. */
@@ -45,7 +47,7 @@ const LOOK = 2000;
 export async function openBeside(
   app: string,
   label: string,
-  { fragment = '', scene, patience = 30_000, host = window }: OpenBesideOptions = {},
+  { path = '', fragment = '', scene, patience = 30_000, host = window }: OpenBesideOptions = {},
 ): Promise<void> {
   // before any await: later the browser blocks the window as a pop-up
   const page = host.open('about:blank', '_blank');
@@ -54,7 +56,7 @@ export async function openBeside(
   }
   let address: URL;
   try {
-    address = await addressOf(app, label, host.location.href);
+    address = new URL(path, await addressOf(app, label, host.location.href));
   } catch (error) {
     page.close();
     throw error;

@@ -5,6 +5,7 @@ import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
 import { isFileAssetType } from '../assets/loadAsset';
 import { builtinComponents } from '../components/index';
 import type { ComponentRegistry } from '../core/ComponentRegistry';
+import { pictureProblem, type ScenePicture } from '../core/ScenePicture';
 import { sceneFields } from '../settings/SceneSettings';
 import { assetUses, type AssetUse } from './assetUses';
 import { checkDepth } from '../guard/checkDepth';
@@ -92,6 +93,17 @@ function readFolders(value: unknown, problems: ProblemList): string[] {
   });
 }
 
+function readPicture(value: unknown, problems: ProblemList): ScenePicture {
+  const record = problems.record(value, 'picture');
+  problems.onlyKeys(record, 'picture', ['url', 'chosen']);
+  const { url, chosen } = record;
+  const problem = pictureProblem(url);
+  if (problem !== null) problems.add(join('picture', 'url'), problem);
+  if (chosen !== undefined && chosen !== true)
+    problems.add(join('picture', 'chosen'), `must be true or absent, not ${describeValue(chosen)}.`);
+  return { url: url as string, ...(chosen === true ? { chosen } : {}) };
+}
+
 function checkCamera(id: unknown, objects: readonly FileObject[], problems: ProblemList): string | null {
   if (id === null) return null;
   const camera = objects.find((object) => object.id === id)?.components.some(({ type }) => type === 'Camera');
@@ -118,7 +130,7 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
 
 const headKeys = [
   ...['$schema', 'format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'assetFolders', 'prefabs'],
-  ...['microShaders', 'views', 'objects'],
+  ...['microShaders', 'views', 'picture', 'objects'],
 ];
 
 /**
@@ -146,6 +158,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
       ? {}
       : { microShaders: readMicroShaders(raw.microShaders, 'microShaders', problems) }),
     ...(raw.views === undefined ? {} : { views: readViews(raw.views, 'views', problems) }),
+    ...(raw.picture === undefined ? {} : { picture: readPicture(raw.picture, problems) }),
     ...(prefabs.length > 0 ? { prefabs } : {}),
     objects,
   };

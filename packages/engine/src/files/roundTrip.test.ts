@@ -82,12 +82,14 @@ test('settings, hierarchy, order, tags, activity and the camera survive a file',
   scene.microShaders.set('own/tint', 'vec3 tint;\n');
   scene.microShaders.set('heatMap', '#include "own/tint"\n// "quoted"\n');
   const view = { name: 'Door', position: [1, 2, 3], target: [0, 0, 0.5], fov: 1, orthographic: true } as const;
+  scene.picture = { url: 'data:image/webp;base64,UklGRg==', chosen: true };
   scene.views.set(7, view);
   scene.views.set(2, { ...view, name: '' });
   const copy = await deserialize(JSON.parse(JSON.stringify(serialize(scene))));
   expect(serialize(copy)).toEqual(serialize(scene));
   expect(copy.views.entries.map(([place]) => place)).toEqual([2, 7]);
   expect(copy.views.get(7)).toEqual(view);
+  expect(copy.picture).toEqual(scene.picture);
   expect(Object.keys(serialize(copy).microShaders!)).toEqual(['heatMap', 'own/tint']);
   expect(copy.microShaders.get('own/tint')).toBe('vec3 tint;\n');
   expect(copy.roots[0].children.map((child) => child.name)).toEqual(['c', 'a', 'b']);

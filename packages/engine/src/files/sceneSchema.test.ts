@@ -94,6 +94,7 @@ function wholeFile(): FarolFile {
     ] as FarolFile['assets'],
     assetFolders: ['Props/Lamps'],
     microShaders: { own: 'float own() { return 1.0; }' },
+    picture: { url: 'data:image/webp;base64,UklGRg==', chosen: true },
     views: [{ place: 1, name: 'Door', position: [0, 1, 2], target: [0, 0, 0], fov: 1, orthographic: false }],
     prefabs: [{ id: 'lamp', name: 'Lamp', objects: [object('lamp', null), object('bulb', 'lamp', { locked: true })] }],
     objects: [

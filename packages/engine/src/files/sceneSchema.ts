@@ -1,6 +1,7 @@
 import { allowedBy, type Field, type FieldTable, MOST_KEYS } from '@farol/editing/fields';
 import { fieldAssetFields } from '../assets/fieldAssetTypes';
 import { builtinComponents } from '../components/index';
+import { LONGEST_PICTURE } from '../core/ScenePicture';
 import { MOST_VIEWS, type SceneView } from '../core/SceneViews';
 import { sceneFields } from '../settings/SceneSettings';
 import {
@@ -240,6 +241,17 @@ export const sceneSchema = (): JsonSchema => ({
         description: 'Texts of microshaders by name, in the form of a .glsl file.',
       },
       views: list(view, 'Camera bookmarks of editors.'),
+      picture: record(
+        {
+          url: {
+            ...{ type: 'string', pattern: '^data:image/(webp|jpeg|png);base64,[A-Za-z0-9_+/]+=*$' },
+            ...{ maxLength: LONGEST_PICTURE, description: 'The picture as a data: address.' },
+          },
+          chosen: { const: true, description: 'Whether the user chose the view: saving keeps it.' },
+        },
+        'Small picture of the scene, by which lists of files show it.',
+        ['url'],
+      ),
       objects: list(ref('object'), 'Objects in the order of the tree.'),
     } satisfies Record<keyof FarolFile | '$schema', JsonSchema>,
     `A scene as Farol saves it, version ${FILE_VERSION}.`,

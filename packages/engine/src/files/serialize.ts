@@ -114,6 +114,7 @@ export function serializeHead(scene: Scene, options: SerializeOptions = {}): Far
     ...(scene.views.entries.length > 0
       ? { views: scene.views.entries.map(([place, view]) => fileView(place, view)) }
       : {}),
+    ...(scene.picture ? { picture: scene.picture } : {}),
     ...(scene.prefabs.list.length > 0 ? { prefabs: [...scene.prefabs.list] } : {}),
     objects: [],
   };

@@ -10,7 +10,8 @@ export const luminanceOf = ([r, g, b]: Vector3Tuple): number => 0.2126 * r + 0.7
 
 /**
  * Chromaticity of Planck's locus (CIE 1931 x, y), by rational functions of the CIE 1960 u, v.
- * @see Krystek 1985, An algorithm to calculate correlated colour temperature, Color Research & Application 10(1)
+ * @see Krystek 1985, An algorithm to calculate correlated colour temperature, Color Research & Application 10(1);
+ *   https://en.wikipedia.org/wiki/Planckian_locus#Approximation
  */
 function planckianChromaticity(kelvin: number): readonly [number, number] {
   const square = kelvin * kelvin;
@@ -26,7 +27,7 @@ function planckianChromaticity(kelvin: number): readonly [number, number] {
 
 /**
  * Chromaticity of a CIE daylight illuminant (CIE 1931 x, y).
- * @see CIE 15:2004, Colorimetry, 3.1.3: 4,000 to 25,000 K
+ * @see CIE 15:2004, Colorimetry, 3.1.3: 4,000 to 25,000 K; http://www.colorpro.com/info/data/daylites.html has the formulas
  */
 function daylightChromaticity(kelvin: number): readonly [number, number] {
   const inverse = 1000 / kelvin;

@@ -19,15 +19,21 @@ const DEGREE = Math.PI / 180;
 /**
  * Lamps and skies as they are measured.
  *
- * Lumens and colour temperatures of lamps: IES Lighting Handbook, 9th edition, chapter 6, and the data sheets of lamps of these
- * kinds; the candle is the old unit of luminous intensity. Illuminances of sun, overcast sky and moon: IES Lighting Handbook,
- * 10th edition, chapter 7, and Kyba et al. 2017, How bright is moonlight?, for the full moon high above.
+ * - Candle: the old unit of luminous intensity; 1,850 K, and 4,100 K of moonlight: https://en.wikipedia.org/wiki/Color_temperature,
+ *   table of light sources.
+ * - Bulbs and the LED lamp: lumens as in `lampEfficacies`.
+ * - Sodium, 100 W: 9,500 lm, General Electric's lamp catalogue of 1999, page 3-15, http://resodance.com/ali/lamplums.html; 2,100 K, and
+ *   the metal halide lamp of 400 W, 36,000 lm and 4,000 K: https://www.hydroponics.net/learn/high_intensity_discharge_bulb_sp.php
+ * - Headlamp: passing beam of an H4 lamp, UN Regulation 37, sheet H4.
+ * - Sun, overcast sky and full moon: CIBSE, Code for interior lighting, examples of illuminance,
+ *   https://help.iesve.com/ve2021/2_6__examples_of_illuminance.htm
+ * - LED panel: an ordinary product; no standard names one.
  */
 export const lightPresets: Readonly<Record<string, LightPreset>> = {
   candle: { label: 'Candle', type: 'point', amount: 1, unit: 'candela', kelvin: 1850, shape: { range: 8 } },
-  bulb40: { label: '40 W bulb', type: 'point', amount: 40, unit: 'watt', lamp: 'incandescent', kelvin: 2700 },
-  bulb60: { label: '60 W bulb', type: 'point', amount: 60, unit: 'watt', lamp: 'incandescent', kelvin: 2790 },
-  bulb100: { label: '100 W bulb', type: 'point', amount: 100, unit: 'watt', lamp: 'incandescent', kelvin: 2870 },
+  bulb40: { label: '40 W bulb', type: 'point', amount: 450, unit: 'lumen', lamp: 'incandescent', kelvin: 2700 },
+  bulb60: { label: '60 W bulb', type: 'point', amount: 800, unit: 'lumen', lamp: 'incandescent', kelvin: 2700 },
+  bulb100: { label: '100 W bulb', type: 'point', amount: 1600, unit: 'lumen', lamp: 'incandescent', kelvin: 2700 },
   led: { label: 'LED lamp, 8 W', type: 'point', amount: 8, unit: 'watt', lamp: 'led', kelvin: 3000 },
   halogenSpot: {
     label: 'Halogen spot, 50 W',
@@ -59,7 +65,7 @@ export const lightPresets: Readonly<Record<string, LightPreset>> = {
   sodium: {
     label: 'Sodium street lamp',
     type: 'spot',
-    amount: 16000,
+    amount: 9500,
     unit: 'lumen',
     kelvin: 2100,
     shape: { cutoff: 75 * DEGREE, penumbra: 0.5, exponent: 0, range: 40 },
@@ -82,7 +88,7 @@ export const lightPresets: Readonly<Record<string, LightPreset>> = {
     shape: { cutoff: 25 * DEGREE, penumbra: 0.5, exponent: 0, range: 100 },
   },
   sun: { label: 'Sun at noon', type: 'directional', amount: 100000, unit: 'lux', kelvin: 5500 },
-  overcast: { label: 'Overcast sky', type: 'hemisphere', amount: 10000, unit: 'lux', kelvin: 6500 },
+  overcast: { label: 'Overcast sky', type: 'hemisphere', amount: 5000, unit: 'lux', kelvin: 6500 },
   fullMoon: { label: 'Full moon', type: 'directional', amount: 0.25, unit: 'lux', kelvin: 4100 },
 };
 

@@ -56,6 +56,8 @@ describe('colour temperature', () => {
     ['D55', 5503, 0.33243, 0.34744],
     ['D65', 6504, 0.31272, 0.32903],
     ['D75', 7504, 0.29903, 0.31488],
+    // colour-science, CCT_to_xy_CIE_D, https://colour.readthedocs.io/en/latest/
+    ['D65', 6504.38938305, 0.3127077, 0.3291128],
   ])('illuminant %s', (_, kelvin, x, y) => {
     expect(furthest(chromaticityOf(kelvin), [x, y])).toBeLessThan(0.0005);
     expect(furthest(colourOfKelvin(kelvin), linearOf(x, y))).toBeLessThan(0.005);
@@ -119,11 +121,11 @@ describe('solid angles and units', () => {
     expect(Math.abs(unitFactor(light(values), unit) / factor - 1)).toBeLessThan(0.001);
   });
 
-  // IES Lighting Handbook, 9th edition, chapter 6
+  // sources: lampKinds.ts
   test.each([
-    ['incandescent', 60, 870],
-    ['halogen', 250, 5000],
-    ['fluorescent', 32, 2880],
+    ['incandescent', 60, 800],
+    ['halogen', 500, 9900],
+    ['fluorescent', 32, 2800],
     ['led', 8, 800],
   ] as const)('%s lamp of %d W gives %d lm', (lamp, watts, lumens) => {
     expect(Math.abs((lampEfficacies[lamp] * watts) / lumens - 1)).toBeLessThan(0.01);
@@ -155,9 +157,30 @@ describe('presets', () => {
     expect(shownUnit(made)).toBe(preset.unit);
   });
 
-  test('a bulb of 60 W is 69 cd, a candle 1 cd', () => {
-    expect(valuesOfPreset(lightPresets.bulb60, light({})).intensity).toBeCloseTo(69.23, 1);
-    expect(valuesOfPreset(lightPresets.candle, light({})).intensity).toBe(1);
+  // sources: lightPresets.ts
+  test.each([
+    ['candle', 'candela', 1, 1850],
+    ['bulb40', 'lumen', 450, 2700],
+    ['bulb60', 'lumen', 800, 2700],
+    ['bulb100', 'lumen', 1600, 2700],
+    ['led', 'lumen', 800, 3000],
+    ['tube', 'lumen', 2800, 4100],
+    ['sodium', 'lumen', 9500, 2100],
+    ['floodlight', 'lumen', 36000, 4000],
+    ['headlamp', 'lumen', 1000, 3200],
+    ['sun', 'lux', 100000, 5500],
+    ['overcast', 'lux', 5000, 6500],
+    ['fullMoon', 'lux', 0.25, 4100],
+  ] as const)('%s has the %s of its source, %d, and %d K', (name, unit, amount, kelvin) => {
+    const values = valuesOfPreset(lightPresets[name], light({}));
+    const made = { ...light({}), ...values } as PhotometricLight;
+    const found = Number(values.intensity) * unitFactor(made, unit);
+    expect(Math.abs(found / amount - 1)).toBeLessThan(0.01);
+    expect(made).toMatchObject({ kelvin });
+  });
+
+  test('a bulb of 60 W is 64 cd', () => {
+    expect(valuesOfPreset(lightPresets.bulb60, light({})).intensity).toBeCloseTo(63.66, 1);
   });
 });
 

@@ -139,6 +139,16 @@ export class PictureRenderer {
     );
   }
 
+  /**
+   * Whether the last frame had all files, code and programs that it asked for, as `ready` waits for; effects that gather
+   * frames may still lack some.
+   */
+  get isComplete(): boolean {
+    const { scene, isStale } = this.last;
+    const isRead = scene?.assets.isSettled === true && LateCode.fetching.size === 0;
+    return isRead && !isStale && this.farol.info.pending.length === 0;
+  }
+
   /** Brings the renderer up to what the scene asks for: technique, effects, shadows, sky. */
   follow(scene: Scene): void {
     const { farol } = this;

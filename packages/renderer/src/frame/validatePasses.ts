@@ -11,12 +11,12 @@ export function validatePasses(technique: string, passes: readonly ResourceUser[
     for (const resource of pass.reads) {
       if (!written.has(resource)) throw nobodyWrites(technique, pass.name, resource);
       if (resource !== 'target' && pass.writes.includes(resource)) {
-        throw new Error(`Technique "${technique}": pass "${pass.name}" reads and writes "${resource}".`);
+        throw new Error(`Technique "${technique}": pass "${pass.name}" reads and writes "${resource}"; write another.`);
       }
     }
     for (const resource of pass.writes) written.add(resource);
   }
   if (!passes.some((pass) => pass.writes.includes('target'))) {
-    throw new Error(`Technique "${technique}": no pass writes "target".`);
+    throw new Error(`Technique "${technique}": no pass writes "target"; end it with forwardTail().`);
   }
 }

@@ -32,7 +32,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private replacements = 0;
   /** Number of each chunk's last replacement, and of the last one among the chunk and its dependencies. */
   private readonly replacedAt = new Map<string, number>();
-  private readonly revisions = new Map<string, number>();
+  private readonly revisions = new WeakMap<readonly string[], { at: number; revision: number }>();
   private readonly textKeys = new WeakMap<readonly string[], { revision: number; key: string }>();
 
   /** @param parent - chunks known besides those added; must not change */
@@ -80,7 +80,6 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     if (!isEdit) return;
     this.edited.set(name, undefined);
     this.replacedAt.set(name, ++this.replacements);
-    this.revisions.clear();
   }
 
   /** Whether a chunk is an edit of one that no code has brought yet. */
@@ -212,15 +211,21 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     this.own.set(name, chunk);
     const affected = this.usersOf(name);
     this.replacedAt.set(name, ++this.replacements);
-    this.revisions.clear();
     for (const listener of [...this.listeners]) listener(affected);
   }
 
   /** Number that grows whenever one of the named chunks, or a dependency of one, is replaced; 0 at first. */
   revision(names: readonly string[]): number {
-    let revision = 0;
-    if (this.replacements > 0) for (const name of names) revision = Math.max(revision, this.revisionOf(name));
-    return revision;
+    const { replacements: at } = this;
+    if (at === 0) return 0;
+    // asked for at each draw
+    let known = this.revisions.get(names);
+    if (known?.at !== at) {
+      const all = [...this.withDependencies(names)];
+      known = { at, revision: Math.max(0, ...all.map((used) => this.replacedAt.get(used) ?? 0)) };
+      this.revisions.set(names, known);
+    }
+    return known.revision;
   }
 
   /**
@@ -284,17 +289,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
       throw error;
     }
     this.replacedAt.set(name, ++this.replacements);
-    this.revisions.clear();
     for (const listener of [...this.listeners]) listener(affected);
-  }
-
-  private revisionOf(name: string): number {
-    let revision = this.revisions.get(name);
-    if (revision === undefined) {
-      revision = Math.max(...[...this.withDependencies([name])].map((used) => this.replacedAt.get(used) ?? 0));
-      this.revisions.set(name, revision);
-    }
-    return revision;
   }
 
   /** The names and those of all dependencies, unknown ones and cycles included. */

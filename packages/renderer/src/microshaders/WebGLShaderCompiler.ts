@@ -67,7 +67,8 @@ function withPrefix(source: string, stage: 'vertex' | 'fragment'): string {
 
 function withThreeChunks(source: string): string {
   return source.replace(THREE_INCLUDE, (_, name: string) => {
-    if (!Object.hasOwn(ShaderChunk, name)) throw new Error(`Unknown chunk of three: #include <${name}>.`);
+    if (!Object.hasOwn(ShaderChunk, name))
+      throw new Error(`#include <${name}>: three has no such shader chunk; check its name.`);
     return withThreeChunks(ShaderChunk[name as keyof typeof ShaderChunk]);
   });
 }

@@ -21,7 +21,8 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
   const visit = (name: string, path: readonly string[]) => {
     if (done.has(name)) return;
     const here = [...path, name];
-    if (path.includes(name)) throw new Error(`Microshader cycle: ${wayOf(here.slice(path.indexOf(name)))}`);
+    if (path.includes(name))
+      throw new Error(`Microshader cycle: ${wayOf(here.slice(path.indexOf(name)))}; take one #include out.`);
     if (path.length > DEEPEST) throw new Error(`Microshaders more than ${DEEPEST} deep in one another: ${wayOf(here)}`);
     const chunk = source.get(name);
     if (chunk === undefined) throw new Error(unknownMessage(name, here, source));

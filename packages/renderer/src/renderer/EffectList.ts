@@ -1,6 +1,7 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import { type ActiveEffects, activeEffects, NO_EFFECTS, refuseConflicts } from '../frame/ActiveEffects';
 import type { FarolEffect } from '../frame/FarolEffect';
+import type { Session } from '../frame/Session';
 import { gbufferLayout } from '../gbuffer/gbufferLayout';
 import { drawBuffersOf } from '../gpu/checkDevice';
 
@@ -32,10 +33,12 @@ export class EffectList {
   /**
    * The effects that draw a frame.
    * @param target - the host's target
-   * @param stereo - whether an eye of an XR session is drawn
+   * @param session - the XR session of which an eye is drawn; it may have effects of its own
    * @throws Error when two effects conflict, of which one was pushed to the list
    */
-  of(target: WebGLRenderTarget | null, stereo: boolean): ActiveEffects {
+  of(target: WebGLRenderTarget | null, session: Session | null): ActiveEffects {
+    if (session?.effects !== undefined) return session.effects;
+    const stereo = session !== null;
     const { list } = this;
     const several = target !== null && target.textures.length > 1;
     const same = list === this.known && list.length === this.count;

@@ -65,9 +65,10 @@ export class FrameLights {
     masks.areas = finder.areas;
     if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
-    const { all, points } = finder.found;
-    const known = moves ? null : points;
+    const { all: found, points } = finder.found;
     const { session } = frame;
+    const all = session?.lightsOf?.(found) ?? found;
+    const known = moves || all !== found ? null : points;
     // the maps of all eyes are drawn with the first
     const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;
     if (masked === table.masked) table.collect(all, frame.camera, masks, known);
@@ -92,6 +93,7 @@ export class FrameLights {
     frame.queue.shadowMasks = shadows?.maskMaterials ?? null;
     frame.queue.layers = layers?.reference ?? 0;
     table.write(frame.camera, order, frame, shadows, rankOf(order));
+    session?.written?.(frame);
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
   }
 

@@ -9,6 +9,7 @@ const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
   transparents: false,
   floatTargets: true,
   surfaces: false,
+  ...{ pixels: 1920 * 1080, multisampled: false, overdraw: 0, triangles: 0 },
   ...figures,
 });
 
@@ -111,6 +112,60 @@ describe('TechniqueChooser', () => {
   it('takes lists that hold for what is transparent too, where such things are', () => {
     const figures = scene({ bounded: 1000, coverage: 20, transparents: true });
     expect(new TechniqueChooser().choose(figures).technique).toBe('clustered-deferred');
+  });
+
+  it.each([
+    // as estimated in the scenes of the Lab, and as measured there on an H200
+    ['the atrium', { bounded: 20, coverage: 5.7, overdraw: 1, triangles: 237_000 }, [false, true, true]],
+    [
+      'the atrium with 100 lights',
+      { bounded: 100, coverage: 30, overdraw: 1, triangles: 244_000 },
+      [false, false, true],
+    ],
+    [
+      'the atrium with 500 lights',
+      { bounded: 487, coverage: 84, overdraw: 1, triangles: 276_000 },
+      [false, false, false],
+    ],
+    ['the temple', { bounded: 26, coverage: 8.2, overdraw: 0.23, triangles: 149_000 }, [false, false, false]],
+    ['16 layers, back to front', { bounded: 100, coverage: 5, overdraw: 15, triangles: 34 }, [true, true, true]],
+    ['one layer', { bounded: 100, coverage: 5, overdraw: 0, triangles: 4 }, [false, false, false]],
+    [
+      'objects side by side',
+      { bounded: 100, coverage: 5.2, overdraw: 0.42, triangles: 228_000 },
+      [false, false, false],
+    ],
+  ] as const)(
+    'draws depth first where that saves more shading than it costs: %s, at 0.9, 2.1 and 8.3 million pixels',
+    (_, figures, depth) => {
+      const techniques = [1280 * 720, 1920 * 1080, 3840 * 2160].map(
+        (pixels) => new TechniqueChooser().choose(scene({ ...figures, pixels })).technique,
+      );
+      expect(techniques.map((technique) => technique === 'forward-plus')).toEqual(depth);
+    },
+  );
+
+  it('draws depth first neither into several samples a pixel, nor before lit transparent things or under effects of a G-buffer', () => {
+    const over = (figures: Partial<SceneFigures>) =>
+      new TechniqueChooser().choose(scene({ coverage: 5, overdraw: 15, ...figures })).technique;
+    expect(over({})).toBe('forward-plus');
+    expect(over({ floatTargets: false })).toBe('forward-plus');
+    for (const figures of [{ multisampled: true }, { transparents: true }, { surfaces: true }]) {
+      expect(over(figures)).toBe('clustered-deferred');
+    }
+    expect(over({ pixels: 128 * 128 }), 'a small picture').toBe('clustered-deferred');
+    expect(over({ bounded: 1, coverage: 1 }), 'beside one light').toBe('forward-plus');
+  });
+
+  it('leaves the depth pre-pass at once for an effect that works on a G-buffer, and for good where overdraw goes', () => {
+    const chooser = new TechniqueChooser();
+    const layered = scene({ coverage: 5, overdraw: 15 });
+    frames(chooser, 20, layered);
+    expect(frames(chooser, 1, { ...layered, surfaces: true })).toEqual(['clustered-deferred']);
+    const other = new TechniqueChooser();
+    frames(other, 20, layered);
+    const after = frames(other, 20, { ...layered, overdraw: 0 }, false);
+    expect(after.indexOf('clustered-deferred')).toBe(7);
   });
 
   it('takes a G-buffer at once when an effect works on it, however few the lights', () => {

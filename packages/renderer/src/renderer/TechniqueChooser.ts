@@ -1,4 +1,5 @@
 import type { TechniqueName } from '../techniques';
+import type { Overdraw } from './warm-up/Overdraw';
 
 /** Cheap figures of a frame, known before anything is drawn. */
 export interface SceneFigures {
@@ -16,10 +17,23 @@ export interface SceneFigures {
   readonly floatTargets: boolean;
   /** Whether an effect works on a G-buffer. */
   readonly surfaces: boolean;
+  /** Number of pixels of the picture. */
+  readonly pixels: number;
+  /** Whether the host's target has several samples a pixel: a depth pre-pass is then drawn twice. */
+  readonly multisampled: boolean;
+  /** Shadings of a pixel that later items hide; 0 until it is estimated. */
+  readonly overdraw: number;
+  /** Number of triangles that a depth pre-pass would draw; 0 until it is estimated. */
+  readonly triangles: number;
 }
 
 /** Techniques that the chooser picks from. */
-export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'clustered-deferred' | 'tiled-deferred';
+export type ChosenTechnique =
+  | 'forward-single-pass'
+  | 'clustered-forward'
+  | 'forward-plus'
+  | 'clustered-deferred'
+  | 'tiled-deferred';
 
 /** Compiles a technique's programs ahead, over some frames. */
 export interface Preparation {
@@ -57,6 +71,16 @@ const VERY_MANY_LIGHTS = 200;
  */
 const MANY_OBJECTS = 1000;
 const MANY_LIGHTS_OVER_MANY_OBJECTS = 50;
+/**
+ * Costs of 'forward-plus', whose depth pre-pass leaves one shading of each pixel, in shadings of a pixel (0.5 ns on an H200):
+ * depth, its copy and lists of tiles beside a G-buffer and its output, and beside a forward technique; each light over a
+ * pixel, since materials walk the list; a triangle that is drawn twice; the passes themselves, whatever the picture.
+ */
+const DEPTH_BESIDE_GBUFFER = 0.2;
+const DEPTH_BESIDE_FORWARD = 0.7;
+const LIGHT_BY_MATERIALS = 0.02;
+const TRIANGLE_TWICE = 4.2;
+const PASSES = 300_000;
 /** Number of lights above which a loop over all of them takes longer than to compile another technique: it is left at once. */
 export const MOST_IN_A_LOOP = 128;
 /** Factor by which a bound must be passed, for some frames in a row, before another technique is chosen. */
@@ -79,6 +103,10 @@ const choices: Record<ChosenTechnique, Choice> = {
     technique: 'clustered-forward',
     reason: 'few lights over a pixel: a G-buffer costs more than it saves',
   },
+  'forward-plus': {
+    technique: 'forward-plus',
+    reason: 'surfaces hide one another: depth is drawn first, so that each pixel is shaded once',
+  },
   'clustered-deferred': {
     technique: 'clustered-deferred',
     reason: 'many lights over a pixel: each surface is lit once, by the list of its cluster',
@@ -98,6 +126,8 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   next: Choice | null = null;
   /** Makes `next` ready. Set by the user; dropped when `next` changes. */
   preparation: P | null = null;
+  /** Estimate of the scene's overdraw. Set by the user; null until its code is there. */
+  overdraw: Overdraw | null = null;
   /** Technique that drew the scene last, by choice or not. Set by the user; null before the first frame. */
   drawn: TechniqueName | null = null;
   private current: Choice | null = null;
@@ -152,9 +182,19 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
 
   /**
    * Technique that the rule picks for figures.
-   * @param scale - factor of its bounds: above 1 it takes techniques for fewer lights a pixel, and for more lists
+   * @param scale - factor of its bounds: above 1 it takes techniques for fewer lights a pixel, and for more lists and overdraw
    */
-  best(
+  best(figures: SceneFigures, scale: number): ChosenTechnique {
+    const listed = this.withoutDepth(figures, scale);
+    const { pixels, coverage, everywhere, overdraw, triangles, transparents, surfaces, multisampled } = figures;
+    if (transparents || surfaces || multisampled) return listed;
+    const depth = listed.endsWith('deferred') ? DEPTH_BESIDE_GBUFFER : DEPTH_BESIDE_FORWARD;
+    const saved = pixels * (overdraw - depth - (coverage + everywhere) * LIGHT_BY_MATERIALS);
+    return saved * scale > PASSES + triangles * TRIANGLE_TWICE ? 'forward-plus' : listed;
+  }
+
+  /** Best technique of those without a depth pre-pass. */
+  private withoutDepth(
     { bounded, everywhere, coverage, objects, transparents, floatTargets, surfaces }: SceneFigures,
     scale: number,
   ): ChosenTechnique {

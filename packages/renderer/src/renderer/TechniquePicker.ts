@@ -124,6 +124,10 @@ export class TechniquePicker {
       transparents: frame.queue.hasLitTransparents,
       floatTargets,
       surfaces,
+      pixels: frame.width * frame.height,
+      multisampled: frame.hostSamples > 0,
+      overdraw: chooser.overdraw?.layers ?? 0,
+      triangles: chooser.overdraw?.triangles ?? 0,
     };
     const choice = chooser.choose(figures, warmUpCode.isThere);
     if (chooser.settled) warmUpCode.ask();
@@ -141,6 +145,10 @@ export class TechniquePicker {
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
     if (this.asked !== 'auto') return;
+    if (chooser.settled && frame.session === null && warmUpCode.isThere) {
+      chooser.overdraw ??= new warmUpCode.required.Overdraw();
+      chooser.overdraw.follow(frame);
+    }
     if (chooser.next === null) {
       if (this.learns) this.learning?.warmUp(chooser, draws);
       return;

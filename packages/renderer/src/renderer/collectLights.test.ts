@@ -1,4 +1,4 @@
-import { Camera, Group, LightProbe, Mesh, Object3D, PointLight, RectAreaLight, Scene } from 'three';
+import { Camera, Group, LightProbe, Mesh, Object3D, PointLight, RectAreaLight, Scene, SpotLight, Sprite } from 'three';
 import { describe, expect, it } from 'vitest';
 import { POINT } from '../lights/plainPoints';
 import { collectLights, FoundLights } from './collectLights';
@@ -37,8 +37,31 @@ describe('collectLights', () => {
       ),
     );
     expect(names(all)).toEqual(['plain', 'carrier', 'in group']);
-    expect(names(nested)).toEqual(['carrier', 'in group']);
-    expect(names(rest)).toEqual(['carrier', 'group', 'probe']);
+    expect(names(nested)).toEqual(['carrier']);
+    expect(names(rest)).toEqual(['carrier', 'probe']);
+  });
+
+  it('leaves three no object that only holds lights, however deep, and none of its lights', () => {
+    class Own extends Group {}
+    const sprite = named(new Sprite(), 'sprite');
+    sprite.visible = false;
+    const { all, nested, rest } = collect(
+      new Scene().add(
+        named(
+          new Object3D(),
+          'lamp',
+          named(new Group(), 'arm', named(new SpotLight(), 'spot', new Object3D()), sprite),
+        ),
+        named(new Group(), 'lamp with a shape', named(new PointLight(), 'bulb'), named(new Mesh(), 'shade')),
+        named(new Group(), 'lamp with a probe', named(new PointLight(), 'beside'), new LightProbe()),
+        named(new Own(), "host's", named(new PointLight(), 'own')),
+        named(new Group(), 'empty'),
+        named(new PointLight(), 'double', named(new PointLight(), 'second')),
+      ),
+    );
+    expect(names(all)).toEqual(['spot', 'bulb', 'beside', 'own', 'double', 'second']);
+    expect(names(nested)).toEqual(['bulb', 'beside', 'own']);
+    expect(names(rest)).toEqual(['lamp with a shape', 'lamp with a probe', "host's", 'empty']);
   });
 
   it('leaves area lights to three until their code is there, and says that there are some', () => {

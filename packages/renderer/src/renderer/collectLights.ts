@@ -1,4 +1,4 @@
-import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
+import { type Camera, Group, type Light, Matrix4, Object3D, type Scene } from 'three';
 import { fetching } from '../lights/fetching';
 import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } from '../lights/classifyLight';
 import { type PlainPoints, POINT, readPoint } from '../lights/plainPoints';
@@ -11,11 +11,9 @@ export class FoundLights {
   count = 0;
   /** Place, colour and range of each light in `all`, see `readPoint`; longer where earlier frames had more. */
   points: PlainPoints = new Float64Array(0);
-  /**
-   * Managed lights that three's traversal would meet: not children of the root itself, or with children of their own.
-   */
+  /** Managed lights that three's traversal would meet: those in `rest`, and below. */
   readonly nested: Light[] = [];
-  /** Children of a Scene as root, without managed lights that have no children; for another root, that root. */
+  /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
   readonly rest: Object3D[] = [];
   /** Whether `masks` counts the lights that cast a shadow, throw an image or have a profile. */
   seeksMasks = true;
@@ -61,7 +59,7 @@ export function collectLights(
   } else {
     found.rest.push(root);
     // three's traversal meets the lights that are its children too
-    if (root.visible) visit(root, camera, left, found);
+    if (root.visible) visit(root, (root as Light).isLight === true, camera, left, found);
   }
   // drops references to lights of larger earlier frames
   if (found.all.length > found.count) found.all.length = found.count;
@@ -102,9 +100,10 @@ function visitChildren(
     }
     if (matrices !== KEPT) child.updateMatrixWorld(matrices === FORCED);
     if (!child.visible) continue;
-    if (isLight && take(child as Light, camera, left, found)) found.nested.push(child as Light);
-    found.rest.push(child);
-    visitBelow(child, camera, left, found);
+    const first = found.nested.length;
+    // of a lamp without a shape three has nothing to traverse
+    if (visit(child, isLight, camera, left, found)) found.nested.length = first;
+    else found.rest.push(child);
   }
 }
 
@@ -121,17 +120,24 @@ function updateLight(light: Light, unmoved: Object3D | null, force: boolean): vo
   } else updateOne(light, force);
 }
 
-function visit(object: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
-  const light = object as Light;
-  if (light.isLight === true && take(light, camera, left, found)) found.nested.push(light);
-  visitBelow(object, camera, left, found);
-}
-
-function visitBelow({ children }: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
+/** @returns whether the object is nothing but managed lights and the nodes that hold them */
+function visit(object: Object3D, isLight: boolean, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
+  const isTaken = isLight && take(object as Light, camera, left, found);
+  if (isTaken) found.nested.push(object as Light);
+  const { children } = object;
+  let isLights = isTaken || (!isLight && children.length > 0);
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
-    if (child.visible) visit(child, camera, left, found);
+    if (!child.visible || visit(child, (child as Light).isLight === true, camera, left, found)) continue;
+    // the target of a spot light may be its child
+    isLights &&= isLight && child.children.length === 0 && isNode(child);
   }
+  return isLights && (isLight || isNode(object));
+}
+
+/** Whether three does nothing with an object itself; of a class of the host's own that is not known. */
+function isNode({ constructor }: Object3D): boolean {
+  return constructor === Object3D || constructor === Group;
 }
 
 /** @returns whether three is not to meet the light: a managed one, or one that the camera's layers do not see */

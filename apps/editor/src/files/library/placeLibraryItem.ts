@@ -33,7 +33,8 @@ function namedObjects(scene: Scene, prefab: Prefab, brought: BroughtAssets): Pre
   }));
 }
 
-function bring(scene: Scene, { prefab, assets }: BuiltItem): Brought {
+/** Prefab of an item for a scene, with the commands that bring it, its materials and scripts, where the scene lacks them. */
+export function bringItem(scene: Scene, { prefab, assets }: BuiltItem): Brought {
   const known = scene.prefabs.get(prefab.id);
   if (known) return { prefab: known, steps: [] };
   const brought = bringAssets(scene, assets, new Map());
@@ -57,7 +58,7 @@ function isCarried(scene: Scene, { transform }: GameObject, camera: Camera): boo
 function stepsOfPlayer(scene: Scene, player: GameObject, camera: Camera): (() => Command)[] {
   const steps: (() => Command)[] = [];
   if (!isCarried(scene, player, camera)) {
-    const ground = bring(scene, buildLibraryItem('ground')!);
+    const ground = bringItem(scene, buildLibraryItem('ground')!);
     const object = instantiatePrefab(ground.prefab, scene.registry);
     object.transform.position = player.transform.position;
     steps.push(...ground.steps, () => addObject(scene, object, scene, []));
@@ -117,7 +118,7 @@ export async function placeLibraryItem(editor: EditorApi, id: string, place: Dro
   if (!item) throw new Error(t('The library does not have it any more.'));
   let steps: readonly (() => Command)[] = [];
   await placeInstance(editor, item.prefab, place, {
-    bring: () => bring(scene, item),
+    bring: () => bringItem(scene, item),
     follow: (instance) => (steps = id === 'player' ? stepsOfPlayer(scene, instance, editor.viewport.rayCamera) : []),
   });
   if (steps.length > 1)

@@ -2,6 +2,7 @@ import { createId } from '@farol/engine/files';
 import type { EditorApi, OpenFile } from '../../api/EditorApi';
 import type { RecentFile } from '../../model/RecentFiles';
 import { deleteRecent, readRecent, writeRecent } from './recentStore';
+import { storedPicture } from './scenePicture';
 import { smallPicture } from './smallPicture';
 
 /** Number of files that are remembered. */
@@ -38,7 +39,7 @@ async function write(editor: EditorApi, file: RecentFile): Promise<void> {
 }
 
 /**
- * Remembers the open file with a thumbnail of its scene. Failures of storage are ignored.
+ * Remembers the open file with the picture in it, or else a thumbnail of its scene. Failures of storage are ignored.
  * @param content - the file's bytes
  * @param isDrawn - whether the viewport shows the complete scene; else the thumbnail is taken a little later
  */
@@ -52,6 +53,7 @@ export async function noteRecent(editor: EditorApi, content: Blob, isDrawn: bool
     const known = editor.recentFiles.list;
     const same = await Promise.all(known.map((each) => isSame(each, { name: file.name, handle })));
     const old = known.find((_, i) => same[i]);
+    const stored = storedPicture(scene);
     if (isDrawn) await idle();
     const noted: RecentFile = {
       id: old?.id ?? createId(),
@@ -60,12 +62,12 @@ export async function noteRecent(editor: EditorApi, content: Blob, isDrawn: bool
       time: Date.now(),
       handle,
       copy: handle || content.size > LARGEST_COPY ? null : content,
-      picture: (isDrawn ? await smallPicture(editor.viewport) : old?.picture) ?? null,
+      picture: stored ?? (isDrawn ? await smallPicture(editor) : old?.picture) ?? null,
     };
     await write(editor, noted);
-    if (isDrawn) return;
+    if (isDrawn || stored) return;
     await new Promise((resolve) => setTimeout(resolve, SETTLED));
-    if (document.scene === scene) await write(editor, { ...noted, picture: await smallPicture(editor.viewport) });
+    if (document.scene === scene) await write(editor, { ...noted, picture: await smallPicture(editor) });
   } catch (error) {
     editor.log.add('warning', 'file', `${file.name} is not among the recent files: ${String(error)}`);
   }

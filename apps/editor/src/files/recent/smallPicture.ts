@@ -1,23 +1,35 @@
-import type { Viewport } from '../../viewport/Viewport';
+import type { EditorApi } from '../../api/EditorApi';
+import { shownEye } from '../picture/PictureCanvas';
 
-/** Size of thumbnails (pixels). */
-const WIDTH = 240;
-const HEIGHT = 135;
+/** Size of the picture of a scene (pixels). */
+const WIDTH = 320;
+const HEIGHT = 180;
+/** Most bytes of it. */
+const MOST = 20_000;
 
-/** Thumbnail of the centre of the viewport; null when the browser cannot make one. */
-export function smallPicture(viewport: Viewport): Promise<Blob | null> {
-  const small = document.createElement('canvas');
-  small.width = WIDTH;
-  small.height = HEIGHT;
+/**
+ * Small picture of the scene as the viewport shows it, without the editor's marks; null when the browser cannot make one, or the
+ * viewport is not shown.
+ */
+export async function smallPicture(editor: EditorApi): Promise<Blob | null> {
+  const { viewport, document: edited } = editor;
+  const { canvas, picture } = viewport;
+  const small = Object.assign(document.createElement('canvas'), { width: WIDTH, height: HEIGHT });
   const context = small.getContext('2d');
-  if (!context) return Promise.resolve(null);
+  if (!context || !canvas.isConnected || canvas.width === 0 || canvas.height === 0) return null;
   context.imageSmoothingQuality = 'high';
   // a canvas is cleared after its frame was shown
-  viewport.renderNow();
-  const { canvas } = viewport;
+  const { camera, component } = shownEye(editor);
+  picture.follow(edited.scene);
+  picture.draw(edited.scene, camera, component);
   const height = Math.min(canvas.height, (canvas.width * HEIGHT) / WIDTH);
   const width = (height * WIDTH) / HEIGHT;
   const [x, y] = [(canvas.width - width) / 2, (canvas.height - height) / 2];
   context.drawImage(canvas, x, y, width, height, 0, 0, WIDTH, HEIGHT);
-  return new Promise((resolve) => small.toBlob(resolve, 'image/webp', 0.8));
+  viewport.invalidate();
+  for (const quality of [0.8, 0.5, 0.2]) {
+    const blob = await new Promise<Blob | null>((resolve) => small.toBlob(resolve, 'image/webp', quality));
+    if (blob === null || blob.size <= MOST) return blob;
+  }
+  return null;
 }

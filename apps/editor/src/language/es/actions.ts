@@ -134,6 +134,7 @@ export const actions: Texts = {
   'Light theme': 'Tema claro',
   'Tour of the editor': 'Recorrido por el editor',
   "The editor's guide": 'Guía del editor',
+  Guides: 'Guías',
   'Guides and examples': 'Guías y ejemplos',
   'Guide to techniques and lights': 'Guía de técnicas y luces',
   'Guide to effects and microshaders': 'Guía de efectos y microshaders',

@@ -12,6 +12,8 @@ export const lights: Texts = {
   'Multiplies the colour of every light of the group.': 'Multiplica el color de cada luz del grupo.',
   'Object with a Light Group, whose dimmer and colour multiply those of the light.':
     'Objeto con un Grupo de luces, cuyo regulador y color multiplican los de la luz.',
+  'Object with a Light Group, whose dimmer multiplies the intensity.':
+    'Objeto con un Grupo de luces, cuyo regulador multiplica la intensidad.',
   'No group': 'Sin grupo',
   'Made {group} of lights': 'Crear {group} con luces',
   'Put into a light group:': 'Poner en un grupo de luces:',

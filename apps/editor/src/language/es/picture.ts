@@ -184,4 +184,63 @@ export const picture: Texts = {
   'Saved {fileName}': 'Se guardó {fileName}',
   'The graphics device was lost while the picture was drawn: save it again.':
     'El dispositivo gráfico se perdió mientras se dibujaba la imagen: guárdela otra vez.',
+  'Save a film…': 'Guardar una película…',
+  'Save a film': 'Guardar una película',
+  'Every frame is drawn as a picture of its time, however long it takes. Without sound.':
+    'Cada fotograma se dibuja como una imagen de su instante, tarde lo que tarde. Sin sonido.',
+  'The view as shown': 'La vista como se ve',
+  'The scene’s camera': 'La cámara de la escena',
+  'Also where a script chooses another.': 'También cuando un script elige otra.',
+  'Through the kept views': 'Por las vistas guardadas',
+  'A smooth path in their order.': 'Un recorrido suave, en su orden.',
+  Turntable: 'Plataforma giratoria',
+  'Around the selection, or the scene, from the view as shown.':
+    'Alrededor de la selección, o de la escena, desde la vista actual.',
+  'The scene plays': 'La escena se reproduce',
+  Turns: 'Vueltas',
+  From: 'Desde',
+  To: 'Hasta',
+  'Frames a second': 'Fotogramas por segundo',
+  'Other…': 'Otra…',
+  'Other rate': 'Otra frecuencia',
+  Format: 'Formato',
+  'PNG frames (ZIP)': 'Fotogramas PNG (ZIP)',
+  'Small file': 'Archivo pequeño',
+  Good: 'Buena',
+  High: 'Alta',
+  Bitrate: 'Tasa de bits',
+  '{count} frames, {seconds} s': '{count} fotogramas, {seconds} s',
+  '{count} frames, {seconds} s, about {size} MB': '{count} fotogramas, {seconds} s, unos {size} MB',
+  'The film ends before it begins: raise “To”.': 'La película acaba antes de empezar: aumente «Hasta».',
+  'A ZIP holds {count} frames: choose a shorter film.':
+    'En un ZIP caben {count} fotogramas: elija una película más corta.',
+  'A ZIP holds 4 GB: choose a smaller size or a shorter film.':
+    'En un ZIP caben 4 GB: elija un tamaño menor o una película más corta.',
+  'This browser does not encode video here (WebCodecs needs https and a new browser): choose PNG frames.':
+    'Este navegador no codifica vídeo aquí (WebCodecs exige https y un navegador nuevo): elija fotogramas PNG.',
+  '{format} needs an even width and height, such as {width} × {height}.':
+    '{format} exige anchura y altura pares, como {width} × {height}.',
+  'This browser does not encode {format} at {width} × {height}: choose another format or a smaller size.':
+    'Este navegador no codifica {format} a {width} × {height}: elija otro formato o un tamaño menor.',
+  'The browser could not go on encoding {format}: choose another format.':
+    'El navegador no pudo seguir codificando {format}: elija otro formato.',
+  'This browser makes no PNG of {width} × {height}: choose a smaller size.':
+    'Este navegador no hace PNG de {width} × {height}: elija un tamaño menor.',
+  'There is nothing to turn around: add an object first.':
+    'No hay nada alrededor de lo que girar: añada antes un objeto.',
+  'Keep two views at least for a path: Ctrl with a number keeps one.':
+    'Guarde al menos dos vistas para un recorrido: Ctrl con un número guarda una.',
+  'The scene has no such camera any more: choose another one.': 'La escena ya no tiene esa cámara: elija otra.',
+  'Another scene was opened while the film was made: make it again.':
+    'Se abrió otra escena mientras se hacía la película: hágala otra vez.',
+  Film: 'Película',
+  'Making the film': 'Haciendo la película',
+  'Frame {frame} of {count}': 'Fotograma {frame} de {count}',
+  'Frame {frame} of {count}, about {left} left': 'Fotograma {frame} de {count}, faltan unos {left}',
+  'Use this view as the scene’s picture': 'Usar esta vista como imagen de la escena',
+  'Chose the scene’s picture': 'Elegida la imagen de la escena',
+  'This view is the scene’s picture: lists of files show it once the scene is saved.':
+    'Esta vista es la imagen de la escena: las listas de archivos la muestran cuando se guarda.',
+  'No picture could be made: show the panel Viewport and try again.':
+    'No se pudo hacer una imagen: muestre el panel Vista e inténtelo otra vez.',
 };

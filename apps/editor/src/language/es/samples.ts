@@ -17,6 +17,9 @@ export const samples: Texts = {
   'Night in the temple': 'Noche en el templo',
   'Play, then walk up the steps. The door opens when you come near; push the crates.':
     'Reproduce y sube los escalones. La puerta se abre al acercarse; empuja las cajas.',
+  'Foggy street': 'Calle con niebla',
+  'Lamps, the moon and a car in fog. Play; then open Frame and change the density of “Volumetric fog”.':
+    'Farolas, la luna y un coche en la niebla. Reproduce; luego abre Fotograma y cambia la densidad de «Niebla volumétrica».',
   'A fairground of clips. Open the Timeline, move keys of “Arm reaches”, and play.':
     'Una feria de clips. Abre la línea de tiempo, mueve claves de «Arm reaches» y reproduce.',
   'Play: a ball on a chain knocks down a wall. Change masses, joints and bounciness.':

@@ -1,8 +1,10 @@
-import { GameObject, Light, LightGroup } from '@farol/engine';
+import { GameObject, Light, LightGroup, ParticleEmitter } from '@farol/engine';
+import { PerspectiveCamera } from 'three';
 import { describe, expect, test } from 'vitest';
 import { EditorDocument } from '../EditorDocument';
 import { setValues } from '../edits';
 import { makeLightGroup, moveToLightGroup } from './lightEdits';
+import { lightCount } from './lightSource';
 import { type LightRow, LightTable } from './LightTable';
 
 function lit(count: number) {
@@ -59,6 +61,33 @@ describe('rows', () => {
     document.commands.undo();
     table.setFilter({ group: null });
     expect(names(table.rows)).toEqual(['Lamp 1', 'Lamp 2', 'Lamp 3', 'Lamp 4']);
+  });
+
+  test('are sorted within their groups, which stand in the order of what they show in the column', () => {
+    const { table, document, lights } = lit(4);
+    const fire = new GameObject('Fire');
+    document.scene.add(fire);
+    const emitter = fire.addComponent(ParticleEmitter, { shine: true, capacity: 100, lightEvery: 8 });
+    document.commands.run(makeLightGroup(document.scene, lights.slice(0, 2), []));
+    document.commands.run(makeLightGroup(document.scene, [lights[2], emitter], []));
+    const groups = (): string[] => names(table.rows).filter((name) => name.startsWith('['));
+    expect(names(table.rows)).toEqual([
+      ...['[Light group]', 'Lamp 1', 'Lamp 2', '[Light group 2]', 'Fire', 'Lamp 3'],
+      ...['-', 'Lamp 4'],
+    ]);
+    table.sortBy('name');
+    expect(groups()).toEqual(['[Light group 2]', '[Light group]']);
+    table.sortBy('intensity');
+    const [first] = document.scene.componentsOf(LightGroup);
+    document.commands.run(setValues('Brighten', [first], { dimmer: 2 }));
+    expect(groups()).toEqual(['[Light group 2]', '[Light group]']);
+    table.sortBy('intensity');
+    expect(groups()).toEqual(['[Light group]', '[Light group 2]']);
+    const view = { camera: new PerspectiveCamera(), width: 640, height: 360 };
+    table.measure(view);
+    const costs = table.rows.map((row) => table.costOf(row));
+    expect(costs[0] + costs[3] + costs[6]).toBeCloseTo(1, 9);
+    expect([lightCount(emitter), lightCount(lights[0])]).toEqual([13, 1]);
   });
 
   test('stand still while a value is dragged, and are sorted at its end', () => {

@@ -8,10 +8,11 @@ import {
   type SceneChange,
   soloLights,
 } from '@farol/engine';
-import type { FieldOwner, Vector3Tuple } from '@farol/engine/fields';
+import type { FieldOwner } from '@farol/engine/fields';
 import type { EditorDocument } from '../EditorDocument';
 import { CostEstimate, type CostView } from './lightCost';
-import { colourOf, groupOf, kindLabel, kindOf, type LightSource, shownNumber } from './lightSource';
+import { hueOf, keyOfGroup, keyOfName, sortByKey } from './lightOrder';
+import { colourOf, kindLabel, kindOf, type LightSource, shownNumber } from './lightSource';
 
 /** A column of the table, by which its rows can be sorted. */
 export type LightColumn = 'on' | 'solo' | 'name' | 'kind' | 'colour' | 'intensity' | 'range' | 'shadow' | 'cost';
@@ -47,23 +48,26 @@ interface Entry {
   readonly name: string;
   /** Name in lower case, its numbers padded so that texts sort as numbers do. */
   readonly nameKey: string;
+  /** Kind of the light and id of its group's object, see `kindOf`. */
+  readonly kind: string;
+  readonly group: string | null;
+  /** Name and kind in lower case, for the search. */
+  readonly words: string;
 }
+
+/** Parts of the table that are out of date; each takes those after it along. */
+const parts = ['lights', 'order', 'filter', 'no'] as const;
+type Part = (typeof parts)[number];
+
+const isBefore = (a: Part, b: Part): boolean => parts.indexOf(a) < parts.indexOf(b);
 
 /** Fields by which rows are found or grouped; a change of one makes the rows anew. */
 const structural = new Set(['group', 'type', 'shine', 'attenuation']);
 
+/** Fields of lights and groups that change no cost. */
+const costless = new Set(['intensity', 'lightIntensity', 'diffuse', 'colourBy', 'kelvin', 'dimmer', 'colour']);
+
 const noFilter: LightFilter = { text: '', kind: null, group: null, isSelected: false };
-
-const keyOfName = (name: string): string => name.toLowerCase().replaceAll(/\d+/g, (digits) => digits.padStart(9, '0'));
-
-/** Hue of a linear colour (0 to 6), greys before all. */
-function hueOf([r, g, b]: Vector3Tuple): number {
-  const most = Math.max(r, g, b);
-  const span = most - Math.min(r, g, b);
-  if (span < 1e-6 * most) return -1;
-  if (most === r) return ((g - b) / span + 6) % 6;
-  return most === g ? (b - r) / span + 2 : (r - g) / span + 4;
-}
 
 /**
  * The lights of a document as rows: filtered, sorted, in their groups; and those that are shown alone. Rows are made
@@ -80,18 +84,23 @@ export class LightTable {
   sort: { readonly column: LightColumn; readonly isDescending: boolean } = { column: 'name', isDescending: false };
 
   private entries: Entry[] = [];
+  /** `entries` in their order. */
+  private ordered: readonly Entry[] = [];
   private made: readonly LightRow[] = [];
   private members: ReadonlyMap<string, readonly LightSource[]> = new Map();
   private filter = noFilter;
   private readonly folded = new Set<string>();
   private solo: ReadonlySet<string> = new Set();
-  /** Parts that are out of date. */
-  private stale: 'no' | 'order' | 'lights' = 'lights';
+  /** First part that is out of date. */
+  private stale: Part = 'lights';
   /** Signals to be emitted at the end of the task. */
   private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
   /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
   private costs: ReadonlyMap<string, number> = new Map();
+  private readonly groupCosts = new Map<string, number>();
   private costKey = '';
+  /** Number of changes of the scene that may have changed costs. */
+  private costChanges = 0;
   private estimate: { readonly entries: readonly Entry[]; readonly run: CostEstimate } | null = null;
 
   constructor(private readonly document: EditorDocument) {}
@@ -104,11 +113,12 @@ export class LightTable {
       document.structure.subscribe(() => this.tell('lights')),
       document.opened.subscribe(() => {
         this.solo = new Set();
+        this.costChanges++;
         this.tell('lights');
       }),
       document.sceneChanged.subscribe((change) => this.follow(change)),
       commands.changed.subscribe(() => this.stale !== 'no' && this.tell('order')),
-      selection.changed.subscribe(() => this.tell(this.filter.isSelected ? 'order' : 'no')),
+      selection.changed.subscribe(() => this.tell(this.filter.isSelected ? 'filter' : 'no')),
       simulation.changed.subscribe(() => simulation.state !== 'stopped' && this.endSolo()),
     ];
     this.tell('lights');
@@ -120,8 +130,16 @@ export class LightTable {
 
   /** Rows in their order; one array until something changes. */
   get rows(): readonly LightRow[] {
-    if (this.stale === 'no' || (this.stale === 'order' && this.commands.isGestureOpen)) return this.made;
+    if (this.stale === 'no' || (this.stale !== 'lights' && this.commands.isGestureOpen)) return this.made;
     if (this.stale === 'lights') this.entries = this.collect();
+    const { column, isDescending } = this.sort;
+    if (this.stale !== 'filter')
+      this.ordered = sortByKey(
+        this.entries,
+        (entry) => this.keyOf(entry, column),
+        ({ nameKey }) => nameKey,
+        isDescending,
+      );
     this.stale = 'no';
     this.evaluations++;
     this.made = this.arrange();
@@ -135,11 +153,7 @@ export class LightTable {
 
   /** Groups of the scene, by name. */
   get groups(): readonly LightGroup[] {
-    return this.scene
-      .componentsOf(LightGroup)
-      .map((group) => [keyOfName(group.gameObject.name), group] as const)
-      .toSorted(([a], [b]) => (a < b ? -1 : 1))
-      .map(([, group]) => group);
+    return sortByKey(this.scene.componentsOf(LightGroup), nameKeyOf, nameKeyOf, false);
   }
 
   /** Whether rows stand below groups. */
@@ -153,7 +167,7 @@ export class LightTable {
 
   setFilter(change: Partial<LightFilter>): void {
     this.filter = { ...this.filter, ...change };
-    this.tell('order');
+    this.tell('filter');
   }
 
   /** Sorts by a column; the other way round when it is sorted by it already. */
@@ -169,12 +183,22 @@ export class LightTable {
   fold(group: string, isFolded: boolean): void {
     if (isFolded) this.folded.add(group);
     else this.folded.delete(group);
-    this.tell('order');
+    this.tell('filter');
   }
 
-  /** Share of the lighting time that a light takes, 0 to 1, as last measured. */
-  costOf(row: LightRow): number {
-    return this.costs.get(row.id) ?? 0;
+  /** Share of the lighting time that a light takes, or those of a group that pass the filter, 0 to 1, as last measured. */
+  costOf({ kind, id }: LightRow): number {
+    return kind === 'light' ? (this.costs.get(id) ?? 0) : this.groupCost(id);
+  }
+
+  private groupCost(group: string): number {
+    let cost = this.groupCosts.get(group);
+    if (cost === undefined) {
+      cost = 0;
+      for (const { id } of this.membersOf(group)) cost += this.costs.get(id) ?? 0;
+      this.groupCosts.set(group, cost);
+    }
+    return cost;
   }
 
   /** Goes on estimating the costs for a view, a thousand lights a call; begins anew when it or the scene has changed. */
@@ -182,7 +206,7 @@ export class LightTable {
     const { camera, width, height } = view;
     if (!this.estimate) {
       const key = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
-      const state = `${key} ${this.document.edited.revision} ${this.scene.time}`;
+      const state = `${key} ${this.costChanges} ${this.scene.time}`;
       if (state === this.costKey || this.stale === 'lights') return;
       this.costKey = state;
       const { entries } = this;
@@ -198,6 +222,7 @@ export class LightTable {
     const costs = run.next();
     if (!costs) return;
     this.estimate = null;
+    this.groupCosts.clear();
     this.costs = new Map(entries.map(({ row }, i) => [row.id, costs[i]]));
     this.tell(this.sort.column === 'cost' ? 'order' : 'no');
   }
@@ -245,7 +270,7 @@ export class LightTable {
   get selected(): readonly LightSource[] {
     const selected = new Set(this.document.selection.ids);
     return this.entries.flatMap(({ source }) =>
-      selected.has(source.gameObject.id) || selected.has(groupOf(source) ?? '') ? [source] : [],
+      selected.has(source.gameObject.id) || selected.has(source.group ?? '') ? [source] : [],
     );
   }
 
@@ -264,6 +289,7 @@ export class LightTable {
   }
 
   private follow(change: SceneChange): void {
+    if (change.kind !== 'field' || !costless.has(change.field)) this.costChanges++;
     if (change.kind === 'enabled') this.tellOf(change.component, this.sort.column === 'on');
     else if (change.kind === 'field') {
       const { component, field } = change;
@@ -272,15 +298,15 @@ export class LightTable {
     }
   }
 
-  private tellOf(owner: FieldOwner, isOrder: boolean, part: 'order' | 'lights' = 'order'): void {
+  private tellOf(owner: FieldOwner, isOrder: boolean, part: Part = 'order'): void {
     if (isLight(owner) || owner instanceof LightGroup) this.tell(isOrder ? part : 'no');
   }
 
-  private tell(part: 'no' | 'order' | 'lights'): void {
-    if (part === 'lights' || this.stale === 'no') this.stale = part;
+  private tell(part: Part): void {
+    if (isBefore(part, this.stale)) this.stale = part;
     const isFirst = this.toTell === 'nothing';
     // rows stand still while a value is dragged
-    const isRows = part === 'lights' || (part === 'order' && !this.commands.isGestureOpen);
+    const isRows = part === 'lights' || (part !== 'no' && !this.commands.isGestureOpen);
     if (isFirst || isRows) this.toTell = isRows ? 'rows' : 'values';
     if (isFirst) queueMicrotask(() => this.emit());
   }
@@ -297,24 +323,31 @@ export class LightTable {
     const emitters = this.scene.componentsOf(ParticleEmitter).filter(({ shine }) => shine);
     return [...this.scene.componentsOf(Light), ...emitters].map((source) => {
       const { gameObject: object, id } = source;
+      const { name } = object;
+      const { group } = source;
+      const kind = kindOf(source);
       const known = before.get(source);
-      if (known?.name === object.name) return known;
-      const row: LightRow = { kind: 'light', id, object, source };
-      return { source, row, name: object.name, nameKey: keyOfName(object.name) };
+      if (known?.name === name && known.kind === kind && known.group === group) return known;
+      const row: LightRow = known?.row ?? { kind: 'light', id, object, source };
+      const words = `${name} ${kindLabel(kind)}`.toLowerCase();
+      return { source, row, name, nameKey: keyOfName(name), kind, group, words };
     });
   }
 
   private arrange(): LightRow[] {
     const { groups } = this;
-    const passing = this.sorted(this.entries.filter(this.filterOf(groups)));
+    const passing = this.ordered.filter(this.filterOf(groups));
     if (groups.length === 0) return passing.map(({ row }) => row);
     const lists = new Map<string, Entry[]>(
       [...groups.map(({ gameObject }) => gameObject.id), ''].map((id) => [id, []]),
     );
-    for (const entry of passing) (lists.get(groupOf(entry.source) ?? '') ?? lists.get('')!).push(entry);
+    for (const entry of passing) (lists.get(entry.group ?? '') ?? lists.get('')!).push(entry);
+    this.groupCosts.clear();
     this.members = new Map([...lists].map(([id, entries]) => [id, entries.map(({ source }) => source)]));
     const isWhole = this.filter.text === '' && this.filter.kind === null && !this.filter.isSelected;
-    const rows = groups.flatMap((group): LightRow[] => {
+    const { column, isDescending } = this.sort;
+    const keyOf = (group: LightGroup) => keyOfGroup(group, column, () => this.groupCost(group.gameObject.id));
+    const rows = sortByKey(groups, keyOf, nameKeyOf, isDescending).flatMap((group): LightRow[] => {
       const {
         gameObject: object,
         gameObject: { id },
@@ -334,33 +367,20 @@ export class LightTable {
   private filterOf(groups: readonly LightGroup[]): (entry: Entry) => boolean {
     const { text, kind, group, isSelected } = this.filter;
     const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-    const names = new Map(groups.map(({ gameObject }) => [gameObject.id, gameObject.name]));
+    const names = new Map(groups.map(({ gameObject: { id, name } }) => [id, name.toLowerCase()]));
     const selected = new Set(isSelected ? this.document.selection.ids : []);
-    return ({ source, name }) => {
-      if (kind !== null && kindOf(source) !== kind) return false;
-      const own = groupOf(source);
-      if (group !== null && (names.has(own ?? '') ? own : '') !== group) return false;
-      if (isSelected && !selected.has(source.gameObject.id)) return false;
-      if (words.length === 0) return true;
-      const whole = `${name} ${kindLabel(kindOf(source))} ${names.get(own ?? '') ?? ''}`.toLowerCase();
-      return words.every((word) => whole.includes(word));
+    return (entry) => {
+      if (kind !== null && entry.kind !== kind) return false;
+      const name = entry.group === null ? undefined : names.get(entry.group);
+      if (group !== null && (name === undefined ? '' : entry.group) !== group) return false;
+      if (isSelected && !selected.has(entry.source.gameObject.id)) return false;
+      return words.every((word) => entry.words.includes(word) || name?.includes(word) === true);
     };
   }
 
-  private sorted(entries: Entry[]): Entry[] {
-    const { column, isDescending } = this.sort;
-    const keys = new Map(entries.map((entry) => [entry, this.keyOf(entry, column)]));
-    const sign = isDescending ? -1 : 1;
-    return entries.toSorted((a, b) => {
-      const [first, second] = [keys.get(a)!, keys.get(b)!];
-      if (first !== second) return first < second ? -sign : sign;
-      return a.nameKey < b.nameKey ? -1 : a.nameKey > b.nameKey ? 1 : 0;
-    });
-  }
-
-  private keyOf({ source, row, nameKey }: Entry, column: LightColumn): number | string {
+  private keyOf({ source, row, nameKey, kind }: Entry, column: LightColumn): number | string {
     if (column === 'name') return nameKey;
-    if (column === 'kind') return kindLabel(kindOf(source));
+    if (column === 'kind') return kindLabel(kind);
     if (column === 'on') return Number(!source.isActive);
     if (column === 'solo') return Number(!this.solo.has(row.id));
     if (column === 'cost') return -this.costOf(row);
@@ -370,5 +390,7 @@ export class LightTable {
     return column === 'range' ? value || Infinity : value!;
   }
 }
+
+const nameKeyOf = ({ gameObject }: LightGroup): string => keyOfName(gameObject.name);
 
 const isLight = (owner: FieldOwner): owner is LightSource => owner instanceof Light || owner instanceof ParticleEmitter;

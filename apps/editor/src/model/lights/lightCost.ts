@@ -1,6 +1,6 @@
 import { Light } from '@farol/engine';
 import { type Camera, type Matrix4, Vector3 } from 'three';
-import type { LightSource } from './lightSource';
+import { lightCount, type LightSource } from './lightSource';
 
 /** Width of a tile of the light lists (pixels), see `LightGrid` of the renderer. */
 const TILE = 32;
@@ -134,6 +134,6 @@ export class CostEstimate {
 }
 
 function weightOf(source: LightSource): number {
-  if (!(source instanceof Light)) return Math.ceil(source.capacity / source.lightEvery);
+  if (!(source instanceof Light)) return lightCount(source);
   return (weights[source.type] ?? 1) * (source.castShadow ? SHADOW : 1);
 }

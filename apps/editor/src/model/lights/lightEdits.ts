@@ -1,17 +1,18 @@
 import { type Command, countLabel, SetFields, t } from '@farol/editing';
-import { GameObject, type Light, LightGroup, type Scene } from '@farol/engine';
+import { GameObject, LightGroup, type Scene } from '@farol/engine';
 import { PlaceObjects } from '../commands/PlaceObjects';
 import { Sequence } from '../commands/Sequence';
 import { UniqueNames } from '../UniqueNames';
+import type { LightSource } from './lightSource';
 
-const putInto = (lights: readonly Light[], group: GameObject | null, label: string): Command =>
+const putInto = (lights: readonly LightSource[], group: GameObject | null, label: string): Command =>
   new SetFields(
     label,
     lights.map((owner) => ({ owner, name: 'group', value: group?.id ?? null })),
   );
 
 /** Makes a light group of lights, at the top of the tree, and selects it. @param selected - ids selected now */
-export function makeLightGroup(scene: Scene, lights: readonly Light[], selected: readonly string[]): Command {
+export function makeLightGroup(scene: Scene, lights: readonly LightSource[], selected: readonly string[]): Command {
   const object = new GameObject(new UniqueNames(scene).take(t('Light group')));
   object.addComponent(LightGroup);
   const place = { object, parent: scene, index: scene.roots.length };
@@ -26,7 +27,7 @@ export function makeLightGroup(scene: Scene, lights: readonly Light[], selected:
 }
 
 /** Puts lights into a group; out of theirs when null. */
-export function moveToLightGroup(lights: readonly Light[], group: GameObject | null): Command {
+export function moveToLightGroup(lights: readonly LightSource[], group: GameObject | null): Command {
   const objects = lights.map(({ gameObject }) => gameObject);
   const label = countLabel(group ? t('Put into a light group:') : t('Took out of their light group:'), objects);
   return putInto(lights, group, label);

@@ -59,5 +59,6 @@ export const colourOf = (source: LightSource): Vector3Tuple | null => (source in
 export const temperatureText = (source: LightSource): string =>
   source instanceof Light && source.colourBy === 'temperature' ? t('{count} K', { count: source.kelvin }) : '';
 
-/** Id of the object that is a light's group; null for none. */
-export const groupOf = (source: LightSource): string | null => (source instanceof Light ? source.group : null);
+/** Number of lights that a light is for the renderer: of an emitter, one every so many particles. */
+export const lightCount = (source: LightSource): number =>
+  source instanceof Light ? 1 : Math.ceil(source.capacity / source.lightEvery);

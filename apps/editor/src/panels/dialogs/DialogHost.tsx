@@ -1,24 +1,32 @@
 import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
-import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef, useState } from 'react';
+import { type ComponentType, lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef, useState } from 'react';
 import { readableText } from '../../model/readableText';
 import type { ConfirmDialog, DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
 import { Button } from '../../ui/Button';
 
-const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
 const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
 const Welcome = lazy(async () => ({ default: (await import('../welcome/Welcome')).Welcome }));
-const AboutDialog = lazy(async () => ({ default: (await import('./AboutDialog')).AboutDialog }));
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
-const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
-const AgentDialog = lazy(async () => ({ default: (await import('./AgentDialog')).AgentDialog }));
 const AgentBar = lazy(async () => ({ default: (await import('../agent/AgentBar')).AgentBar }));
-const PictureDialog = lazy(async () => ({ default: (await import('./PictureDialog')).PictureDialog }));
-const PhoneDialog = lazy(async () => ({ default: (await import('./PhoneDialog')).PhoneDialog }));
+
+/** Dialogs that are told nothing, by their kinds. */
+const plain = {
+  palette: lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette })),
+  about: lazy(async () => ({ default: (await import('./AboutDialog')).AboutDialog })),
+  export: lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog })),
+  agent: lazy(async () => ({ default: (await import('./AgentDialog')).AgentDialog })),
+  picture: lazy(async () => ({ default: (await import('./PictureDialog')).PictureDialog })),
+  film: lazy(async () => ({ default: (await import('./FilmDialog')).FilmDialog })),
+  phone: lazy(async () => ({ default: (await import('./PhoneDialog')).PhoneDialog })),
+} satisfies Partial<Record<DialogRequest['kind'], ComponentType<{ onClose(): void }>>>;
+
+const isPlain = (request: DialogRequest): request is Extract<DialogRequest, { kind: keyof typeof plain }> =>
+  request.kind in plain;
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = {
   palette: 'palette',
@@ -66,6 +74,10 @@ function FocusField({ popup }: { popup: RefObject<HTMLElement | null> }): null {
 }
 
 function Content({ request, onClose }: { request: DialogRequest; onClose(agreed: boolean): void }): ReactNode {
+  if (isPlain(request)) {
+    const Plain = plain[request.kind];
+    return <Plain onClose={() => onClose(false)} />;
+  }
   if (request.kind === 'keys') {
     return (
       <>
@@ -77,14 +89,8 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   }
   if (request.kind === 'recover') return <RecoverDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'welcome') return <Welcome request={request} onClose={() => onClose(false)} />;
-  if (request.kind === 'about') return <AboutDialog onClose={() => onClose(false)} />;
   if (request.kind === 'text') return <TextDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'progress') return <ProgressDialog request={request} onClose={() => onClose(false)} />;
-  if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;
-  if (request.kind === 'phone') return <PhoneDialog onClose={() => onClose(false)} />;
-  if (request.kind === 'picture') return <PictureDialog onClose={() => onClose(false)} />;
-  if (request.kind === 'agent') return <AgentDialog onClose={() => onClose(false)} />;
-  if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (
     <>
       <Dialog.Title>{readableText(request.title)}</Dialog.Title>

@@ -8,8 +8,8 @@ import { download } from '../../files/share/download';
 import { withProgress } from '../../files/withProgress';
 import { Button } from '../../ui/Button';
 import { useEditor } from '../../ui/EditorContext';
-import { NumberInput } from '../../ui/NumberInput';
 import { Toggle } from '../../ui/Toggle';
+import { PixelSize, type Size } from './PixelSize';
 
 /** Largest side of a picture (pixels). */
 const LARGEST = 32_768;
@@ -18,37 +18,6 @@ const sizes = { '1080p': [1920, 1080], '4K': [3840, 2160], '8K': [7680, 4320], '
 /** Effects that take the picture as a whole, which tiles cannot have. */
 const wholeEffects = ['bloom', 'depthOfField', 'vignette'] as const;
 
-interface SideProps {
-  readonly label: string;
-  readonly value: number;
-  readonly max: number;
-  onChange(value: number): void;
-}
-
-/** One side of the picture in pixels; what is typed and not committed is taken back by Escape. */
-function Side({ label, value, max, onChange }: SideProps): ReactNode {
-  const [draft, setDraft] = useState<number | null>(null);
-  return (
-    <div className="tool-row">
-      <span aria-hidden="true">{label}</span>
-      <NumberInput
-        label={label}
-        value={draft ?? value}
-        min={1}
-        max={max}
-        step={1}
-        unit="px"
-        onPreview={(next) => setDraft(Math.round(next))}
-        onCommit={() => {
-          if (draft !== null) onChange(draft);
-          setDraft(null);
-        }}
-        onDiscard={() => setDraft(null)}
-      />
-    </div>
-  );
-}
-
 /** Saves the scene as the viewport's camera sees it as a PNG, at any size. */
 export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
@@ -56,7 +25,7 @@ export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
   const { settings, name } = document.scene;
   const isWhole = settings.exposureBy === 'automatic' || wholeEffects.some((effect) => settings[effect]);
   const max = isWhole ? WHOLE : LARGEST;
-  const [size, setSize] = useState<readonly [number, number]>(sizes['1080p']);
+  const [size, setSize] = useState<Size>(sizes['1080p']);
   const [isTransparent, setTransparent] = useState(false);
   const { width, height } = viewport.size;
   const save = async (): Promise<void> => {
@@ -67,7 +36,6 @@ export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
     await download(png, fileName, t('Picture'));
     notices.show('info', t('Saved {fileName}', { fileName }));
   };
-  const fits = ([wide, high]: readonly [number, number]): boolean => Math.max(wide, high) <= max;
   const offered = { [t('As shown')]: [width, height] as const, ...sizes };
   return (
     <>
@@ -75,20 +43,8 @@ export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
       <Dialog.Description>
         {t('The scene as it is seen now, without grid, icons and handles, as a PNG.')}
       </Dialog.Description>
-      <div className="export-row">
-        {Object.entries(offered).map(([label, each]) => (
-          <Button
-            key={label}
-            label={label}
-            aria-pressed={each[0] === size[0] && each[1] === size[1]}
-            disabled={!fits(each)}
-            onClick={() => setSize(each)}
-          />
-        ))}
-      </div>
-      <Side label={t('Width')} value={size[0]} max={max} onChange={(wide) => setSize([wide, size[1]])} />
-      <Side label={t('Height')} value={size[1]} max={max} onChange={(high) => setSize([size[0], high])} />
-      <div className="tool-row">
+      <PixelSize offered={offered} value={size} max={max} onChange={setSize} />
+      <div className="dialog-row">
         <span aria-hidden="true">{t('Without background')}</span>
         <Toggle value={isTransparent} label={t('Without background')} onChange={setTransparent} />
       </div>

@@ -1,4 +1,5 @@
-import { fieldInUnit, sharedValue } from '@farol/editing';
+import { type Command, fieldInUnit, sharedValue } from '@farol/editing';
+import { Component } from '@farol/engine';
 import { type Field, type FieldOwner, isFieldVisible, sameValue, variantOfField } from '@farol/engine/fields';
 import type { ReactElement, ReactNode } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -8,7 +9,10 @@ import { allAtDefault, isAtDefault } from './atDefault';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
 
-/** Group of the material that an object makes of its own fields: folded, since materials are edited as assets. */
+/**
+ * Group of the material that an object makes of its own fields: folded, since materials are edited as assets, unless the last step
+ * made the object, whose colour is what comes next.
+ */
 const OWN_MATERIAL = 'Own material';
 
 /** Choices of a text field, one per line; null when it takes any text. */
@@ -65,11 +69,20 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
         />
       );
     });
-  return inGroups(owners, rows);
+  return inGroups(owners, rows, isNew(owner, commands.last));
 }
 
-/** Puts the fields of each group below its title, after fields without a group; a group at its defaults is folded. */
-function inGroups(owners: readonly FieldOwner[], rows: readonly ReactElement[]): ReactNode {
+/** Whether a command made the object of a component. */
+function isNew(owner: FieldOwner, made: Command | null): boolean {
+  const id = owner instanceof Component ? owner.gameObject.id : '';
+  return made?.selection?.done.includes(id) === true && !made.selection.undone.includes(id);
+}
+
+/**
+ * Puts the fields of each group below its title, after fields without a group; a group at its defaults is folded.
+ * @param isMade - whether the owners were just made
+ */
+function inGroups(owners: readonly FieldOwner[], rows: readonly ReactElement[], isMade: boolean): ReactNode {
   const [owner] = owners;
   const groupOf = ({ key }: ReactElement): string | undefined => owner.fields[key!].group;
   const groups = new Set(rows.map(groupOf));
@@ -85,7 +98,7 @@ function inGroups(owners: readonly FieldOwner[], rows: readonly ReactElement[]):
           key={`group ${group}`}
           id={`${owner.ownerName}/${group}`}
           title={group!}
-          isFoldedAtFirst={group === OWN_MATERIAL || owners.every((each) => allAtDefault(each, names))}
+          isFoldedAtFirst={group === OWN_MATERIAL ? !isMade : owners.every((each) => allAtDefault(each, names))}
         >
           {grouped}
         </FieldGroup>

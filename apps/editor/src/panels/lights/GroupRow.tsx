@@ -7,7 +7,7 @@ import { Icon } from '../../ui/Icon';
 import type { RowProps } from './LightRowView';
 import { NumberCell } from './NumberCell';
 import { useRowEdit } from './useRowEdit';
-import { CheckCell, ColourCell, SoloCell } from './cells';
+import { CheckCell, ColourCell, CostCell, SoloCell } from './cells';
 
 const Fold = ({ table, id, name }: Pick<RowProps, 'table'> & { id: string; name: string }): ReactNode => (
   <button
@@ -86,6 +86,9 @@ export function GroupCells({ row, ...desk }: RowProps & { readonly row: LightRow
           onDiscard={edit.onDiscard}
         />
       </span>
+      <span role="gridcell" />
+      <span role="gridcell" />
+      <CostCell cost={table.costOf(row)} />
     </>
   );
 }
@@ -100,5 +103,9 @@ export const RestCells = ({ row, table }: RowProps & { readonly row: LightRow & 
       {t('No group')}
     </span>
     <Count count={row.count} />
+    {[4, 5, 6, 7].map((column) => (
+      <span key={column} role="gridcell" />
+    ))}
+    <CostCell cost={table.costOf(row)} />
   </>
 );

@@ -9,6 +9,7 @@ import {
   type FieldColumn,
   kindLabel,
   kindOf,
+  lightCount,
   type LightSource,
   shownNumber,
   temperatureText,
@@ -16,7 +17,7 @@ import {
 import type { LightRow, LightTable } from '../../model/lights/LightTable';
 import { ownersName } from '../../model/ownersName';
 import { Icon } from '../../ui/Icon';
-import { CheckCell, ColourCell, SoloCell } from './cells';
+import { CheckCell, ColourCell, CostCell, SoloCell } from './cells';
 import { GroupCells, RestCells } from './GroupRow';
 import { NumberCell } from './NumberCell';
 import { useRowEdit } from './useRowEdit';
@@ -50,7 +51,7 @@ interface LightRowViewProps extends RowProps {
 
 /** Everything that a row shows, as one text to compare. */
 export function rowState(table: LightTable, row: LightRow): string {
-  if (row.kind === 'rest') return `${row.count} ${table.isFolded('')}`;
+  if (row.kind === 'rest') return `${row.count} ${table.isFolded('')} ${table.costOf(row).toFixed(4)}`;
   const { name, activeInHierarchy } = row.object;
   if (row.kind === 'group') {
     const { group, count } = row;
@@ -64,6 +65,7 @@ export function rowState(table: LightTable, row: LightRow): string {
       count,
       table.isFolded(row.id),
       solo,
+      table.costOf(row).toFixed(4),
     ].join('\n');
   }
   const { source } = row;
@@ -71,7 +73,7 @@ export function rowState(table: LightTable, row: LightRow): string {
   return [
     ...[name, activeInHierarchy, source.enabled, kindOf(source), table.areSolo([source]), table.isGrouped],
     ...[colourOf(source), temperatureText(source), intensity?.value, intensity?.unit, range?.value],
-    ...[source instanceof Light && source.castShadow, table.costOf(row).toFixed(4)],
+    ...[source instanceof Light && source.castShadow, lightCount(source), table.costOf(row).toFixed(4)],
   ].join('\n');
 }
 
@@ -124,7 +126,6 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
   const labelled = (column: string): string => t('{column} of {name}', { column, name });
   const shadow = columnFields.shadow(source);
   const colour = colourOf(source);
-  const cost = table.costOf(row);
   return (
     <>
       <CheckCell
@@ -143,7 +144,10 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
         <Icon name={kindOf(source) as 'point'} size={14} />
         <span className="row-name">{name}</span>
       </span>
-      <span role="gridcell">{kindLabel(kindOf(source))}</span>
+      <span role="gridcell">
+        {kindLabel(kindOf(source))}
+        {source instanceof Light || <span className="dim"> × {formatNumber(lightCount(source), 'short')}</span>}
+      </span>
       {colour === null ? (
         <span role="gridcell" />
       ) : (
@@ -167,9 +171,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
           onChange={(isOn) => editor.attempt(() => columnGesture({ ...desk, row }, source, 'shadow').commit(isOn))}
         />
       )}
-      <span role="gridcell" className="lights-cost">
-        {`${formatNumber(Math.round(1000 * cost) / 10, 'short')} %`}
-      </span>
+      <CostCell cost={table.costOf(row)} />
     </>
   );
 }

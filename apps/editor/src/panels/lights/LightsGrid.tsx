@@ -57,10 +57,13 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
     return () => clearInterval(timer);
   }, [table, viewport]);
 
-  const at = Math.max(
-    0,
-    rows.findIndex(({ id }) => id === active),
-  );
+  const at =
+    active === null
+      ? 0
+      : Math.max(
+          0,
+          rows.findIndex(({ id }) => id === active),
+        );
   /** Selects a row, or the range from the row where it begins. */
   const select = (index: number, extends_: boolean): void => {
     const row = rows.at(index);

@@ -1,5 +1,4 @@
 import { t } from '@farol/editing';
-import { Light } from '@farol/engine';
 import { type ReactNode, useEffect, useState } from 'react';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { makeLightGroup, moveToLightGroup } from '../../model/lights/lightEdits';
@@ -31,7 +30,7 @@ export function LightsPanel(): ReactNode {
   const shown = rows.filter(({ kind }) => kind === 'light').length;
 
   const entries = (): MenuEntry[] => {
-    const lights = table.selected.filter((source) => source instanceof Light);
+    const lights = table.selected;
     const disabled = lights.length === 0;
     const grouped = lights.filter(({ group }) => group !== null);
     return [

@@ -1,4 +1,4 @@
-import { splitColour, t } from '@farol/editing';
+import { formatNumber, splitColour, t } from '@farol/editing';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { Icon } from '../../ui/Icon';
@@ -80,3 +80,10 @@ export function ColourCell({ label, colour, text = '', tabIndex, onPick }: Colou
     </span>
   );
 }
+
+/** A cell with a share of the lighting time. @param cost - 0 to 1 */
+export const CostCell = ({ cost }: { readonly cost: number }): ReactNode => (
+  <span role="gridcell" className="lights-cost">
+    {`${formatNumber(Math.round(1000 * cost) / 10, 'short')} %`}
+  </span>
+);

@@ -6,6 +6,7 @@ import { allActions } from '../../actions';
 import type { EditorApi } from '../../api/EditorApi';
 import { creations } from '../../model/creations';
 import type { IconName } from '../../style/iconPaths';
+import { guideItems } from './guideItems';
 import type { Findable } from './matchItems';
 
 /** Number of lines shown in the command palette. */
@@ -78,7 +79,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
     ...{ id: `add.library.${id}`, label, group: t('Add, {folder}', { folder }), icon: 'lamp' },
     run: () => run(editor),
   }));
-  return [...done, ...added, ...ofLibrary];
+  return [...done, ...added, ...ofLibrary, ...guideItems()];
 }
 
 export function objectItems(editor: EditorApi): PaletteItem[] {

@@ -1,14 +1,11 @@
 import { Signal, t } from '@farol/editing';
 import { evOfIlluminance } from '@farol/engine/photometry';
-import { Vector2 } from 'three';
 import type { Tool } from '../../model/Tools';
 import { DragReadout } from '../handles/DragReadout';
 import { drawsFloats } from '../drawsFloats';
+import { PictureClicks } from '../PictureClicks';
 import type { Viewport } from '../Viewport';
 import { IlluminancePicture } from './IlluminancePicture';
-
-/** Movement (CSS pixels) that makes a press a drag of the camera, not a click. */
-const CLICK_REACH = 4;
 
 /** Light that falls on a surface at a point. */
 export interface LightReading {
@@ -27,33 +24,24 @@ export class LightMeterTool implements Tool {
   reading: LightReading | null = null;
   private readonly picture: IlluminancePicture;
   private readonly readout: DragReadout;
-  private readonly from = new Vector2();
-  private pointer: number | null = null;
+  private readonly clicks: PictureClicks;
   private hasEnded = false;
 
   /** @throws Error naming what the device lacks */
   constructor(private readonly viewport: Viewport) {
-    const { canvas, gizmo, webgl } = viewport;
+    const { canvas, webgl } = viewport;
     if (!drawsFloats(webgl))
       throw new Error(t('Light cannot be measured: this device draws to no float colour buffers.'));
     this.picture = new IlluminancePicture(webgl, () => {});
     this.readout = new DragReadout(canvas);
-    canvas.addEventListener('pointerdown', this.pointerDown, true);
-    canvas.addEventListener('pointerup', this.pointerUp, true);
-    gizmo.suspended = true;
-    viewport.boxSelect.cancel();
-    canvas.classList.add('measuring');
+    this.clicks = new PictureClicks(viewport, (x, y) => this.measure(x, y));
   }
 
   end(): void {
-    const { canvas, gizmo } = this.viewport;
     this.hasEnded = true;
-    canvas.removeEventListener('pointerdown', this.pointerDown, true);
-    canvas.removeEventListener('pointerup', this.pointerUp, true);
-    canvas.classList.remove('measuring');
+    this.clicks.end();
     this.readout.hide();
     this.readout.markAt(null);
-    gizmo.suspended = false;
     this.picture.dispose();
   }
 
@@ -73,18 +61,4 @@ export class LightMeterTool implements Tool {
     this.readout.markAt({ x: x - left, y: y - top });
     this.changed.emit();
   }
-
-  private readonly pointerDown = (event: PointerEvent): void => {
-    this.pointer = event.button === 0 && event.isPrimary ? event.pointerId : null;
-    this.from.set(event.clientX, event.clientY);
-  };
-
-  private readonly pointerUp = (event: PointerEvent): void => {
-    if (event.pointerId !== this.pointer) return;
-    this.pointer = null;
-    // clicks must not select
-    this.viewport.picker.cancel();
-    if (Math.hypot(event.clientX - this.from.x, event.clientY - this.from.y) > CLICK_REACH) return;
-    this.measure(event.clientX, event.clientY).catch((error) => this.viewport.onError(error));
-  };
 }

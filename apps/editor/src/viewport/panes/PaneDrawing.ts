@@ -1,12 +1,13 @@
 import type { Camera as CameraComponent, PictureRenderer, Scene } from '@farol/engine';
-import type { FarolRenderer, TechniqueName } from '@farol/renderer';
+import { type FarolRenderer, type TechniqueName, type View, views } from '@farol/renderer';
 import type { Camera, WebGLRenderer } from 'three';
 import type { Gizmo } from '../Gizmo';
 import type { Helpers } from '../Helpers';
 import type { LateParts } from '../LateParts';
+import type { SceneStamps } from '../SceneStamps';
 import type { Painter } from '../Painter';
 import type { PlainShading } from '../shading/PlainShading';
-import { isPlain, techniqueOf } from '../shading/Shading';
+import { isPlain, techniqueOf, viewOf } from '../shading/Shading';
 import type { Panes } from './Panes';
 import type { ViewPane } from './ViewPane';
 
@@ -19,6 +20,7 @@ export interface PaneSurface {
   readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
+  readonly stamps: SceneStamps;
   readonly parts: Pick<LateParts, 'physics' | 'lightHandles' | 'particles'>;
   readonly painter: Painter | null;
   /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
@@ -68,9 +70,17 @@ export class PaneDrawing {
     const camera = surface.cameraOf(pane);
     const lookThrough = pane === panes.main ? surface.lookThrough : null;
     lookThrough?.setViewport(width, height);
-    this.drawScene(pane, camera, lookThrough);
+    surface.stamps.draw(surface.document.scene.three, () => this.drawScene(pane, camera, lookThrough));
     gizmo.update(surface.raysOf(pane), surface.isPlayed);
-    if (!surface.isPlayed && surface.view !== 'grid' && (surface.painter?.drawsHelpers ?? true)) {
+    const view = isPlain(pane.shading) ? null : surface.farol.info.view;
+    // the next view overwrites it
+    pane.shown = view && { ...view, tiles: view.tiles.map((tile) => ({ ...tile })) };
+    if (
+      !surface.isPlayed &&
+      surface.view !== 'grid' &&
+      !view?.tiles.length &&
+      (surface.painter?.drawsHelpers ?? true)
+    ) {
       const { physics, lightHandles, particles } = surface.parts;
       physics.get()?.update(webgl.getPixelRatio());
       lightHandles.get()?.update(webgl.getPixelRatio());
@@ -91,15 +101,18 @@ export class PaneDrawing {
       this.plain!.render(scene.three, camera, shading);
       return;
     }
-    const { technique } = farol;
+    const { technique, view } = farol;
     const shadedBy = techniqueOf(shading);
+    const shownAs = viewOf(shading) as View | null;
     try {
+      if (shownAs !== null && views.includes(shownAs)) farol.view = shownAs;
       if (shadedBy !== null && Object.hasOwn(farol.techniques, shadedBy)) farol.technique = shadedBy as TechniqueName;
       // side views are for editing: no depth of field, bloom and the like
       if (painter === null && pane === panes.main) picture.draw(scene, camera, lookThrough);
       else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
     } finally {
       farol.technique = technique;
+      farol.view = view;
     }
   }
 

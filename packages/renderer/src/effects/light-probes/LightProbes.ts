@@ -25,6 +25,11 @@ export function setBakedSurroundings(scene: Scene, baked: BakedSurroundings | nu
   else surroundings.set(scene, baked);
 }
 
+/** Light of a scene that was baked, besides its lightmaps; null for none. */
+export function bakedSurroundingsOf(scene: Scene): BakedSurroundings | null {
+  return surroundings.get(scene) ?? null;
+}
+
 /** Makes a black probe texture, for scenes without probes. */
 function noProbes(): Data3DTexture {
   const texture = new Data3DTexture(new Uint16Array(4), 1, 1, 1);

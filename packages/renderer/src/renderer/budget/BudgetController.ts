@@ -148,7 +148,8 @@ export class BudgetController {
     if (goal > step) restlessness.reduced(Math.max(0, goal - this.goal));
     else if (goal < step) {
       const begins = this.goal >= step;
-      if (begins && !restlessness.mayEnlarge) goal = step;
+      if (!begins) goal = Math.max(goal, this.goal);
+      else goal = restlessness.mayEnlarge ? Math.max(goal, step - restlessness.stride) : step;
       if (goal < Math.min(this.goal, step)) restlessness.enlarged(Math.min(this.goal, step) - goal);
     }
     this.goal = goal;

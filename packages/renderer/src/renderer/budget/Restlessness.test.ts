@@ -59,7 +59,7 @@ const loads: [string, Bursts][] = [
 
 for (const source of ['gpu', 'interval'] as const)
   it.each(loads)(
-    `by ${source} times, under %s, the scale comes to rest: mostly no sway of more than a step`,
+    `by ${source} times, under %s, the scale comes to rest: mostly no sway of more than a step, and seldom of more than four or five`,
     (_, bursts) => {
       const sways: number[] = [];
       for (let seed = 1; seed <= 6; seed++) {
@@ -67,7 +67,10 @@ for (const source of ['gpu', 'interval'] as const)
         draw(600);
         for (let window = 0; window < 10; window++) sways.push(draw(120));
       }
-      expect(sways.toSorted((a, b) => a - b)[sways.length / 2]).toBeLessThanOrEqual(1.001);
+      const sorted = sways.toSorted((a, b) => a - b);
+      expect(sorted[sways.length / 2]).toBeLessThanOrEqual(1.001);
+      // before enlargements after a failure went step by step, the 90th percentile was 5 to 14
+      expect(sorted[0.9 * sways.length - 1]).toBeLessThanOrEqual(5.001);
     },
   );
 

@@ -103,7 +103,7 @@ export class LearningFrames {
       return technique;
     }
     if (scene === undefined) this.scenes.set(chooser, (scene = new LearningScene()));
-    const key = learner.keyOf(technique, rival, figures, width * height);
+    const key = learner.keyOf(technique, rival, figures);
     if (scene.substitute !== null && scene.substitute !== rival) scene.substitute = null;
     const present = scene.substitute ?? technique;
     const faster = learner.fasterOf(technique, rival, key);

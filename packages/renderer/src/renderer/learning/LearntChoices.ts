@@ -1,7 +1,7 @@
 /** Key of `localStorage`. */
 const KEY = 'farol-learnt';
 /** Version of keys and values: raise it when techniques, buckets or what they cost change, and all is learnt anew. */
-const VERSION = 1;
+const VERSION = 2;
 /** Most entries of a GPU, and most GPUs: about 4 kB each. */
 const ENTRIES = 256;
 const GPUS = 4;

@@ -11,8 +11,8 @@ const figures: SceneFigures = {
   transparents: false,
   floatTargets: true,
   surfaces: false,
+  ...{ pixels: 1920 * 1080, multisampled: false, overdraw: 0, triangles: 0 },
 };
-const PIXELS = 1920 * 1080;
 const rule = new TechniqueChooser();
 
 /** Numbers 0 to 1 (mulberry32). */
@@ -47,7 +47,7 @@ function simulate(storage = storageOf(), seed = 7) {
   const noise = random(seed);
   const technique = rule.best(figures, 1);
   const rival = learner.rivalOf(technique, rule, figures, false)!;
-  const key = learner.keyOf(technique, rival, figures, PIXELS);
+  const key = learner.keyOf(technique, rival, figures);
   const state = { rivalTime: 8, trials: 0, changes: 0 };
   const time = (ms: number) => ms * (0.9 + 0.2 * noise());
   const draw = (frames: number) => {
@@ -115,15 +115,28 @@ describe('TechniqueLearner', () => {
 
   it('keeps what it learnt apart by the numbers of lights, lights a pixel and pixels, whichever technique the rule picks', () => {
     const { learner, key, technique, rival } = simulate();
-    const keyOf = (other: Partial<SceneFigures>, pixels = PIXELS) =>
-      learner.keyOf(technique, rival, { ...figures, ...other }, pixels);
-    expect(keyOf({ bounded: 45, coverage: 3 }, PIXELS + 5)).toBe(key);
-    const others = [keyOf({ bounded: 130 }), keyOf({ coverage: 20 }), keyOf({}, PIXELS / 4)];
+    const { pixels } = figures;
+    const keyOf = (other: Partial<SceneFigures>, by = rival) => learner.keyOf(technique, by, { ...figures, ...other });
+    expect(keyOf({ bounded: 45, coverage: 3, pixels: pixels + 5, overdraw: 15 })).toBe(key);
+    const others = [keyOf({ bounded: 130 }), keyOf({ coverage: 20 }), keyOf({ pixels: pixels / 4 })];
     expect(new Set([key, ...others]).size).toBe(4);
-    expect(learner.keyOf(rival, technique, figures, PIXELS)).toBe(key);
+    const depthFirst = [0.2, 1, 15].map((overdraw) => keyOf({ overdraw }, 'forward-plus'));
+    expect(new Set([key, ...depthFirst]).size, 'of a technique that draws depth first by overdraw too').toBe(4);
+    expect(learner.keyOf(rival, technique, figures)).toBe(key);
     learner.learnt.set(key, 0); // clustered-forward
     expect(learner.fasterOf(technique, rival, key)).toBe(rival);
     expect(learner.fasterOf(rival, technique, key)).toBe(rival);
+  });
+
+  it('hesitates to draw depth first where that is about as good', () => {
+    const { learner } = simulate();
+    const rivalOf = (overdraw: number, multisampled = false) => {
+      const layered = { ...figures, bounded: 60, coverage: 8, overdraw, multisampled };
+      return learner.rivalOf(rule.best(layered, 1), rule, layered, multisampled);
+    };
+    expect(rivalOf(0.45)).toBe('forward-plus');
+    expect(rivalOf(0.55)).toBe('clustered-deferred');
+    expect(rivalOf(0.45, true)).not.toBe('forward-plus');
   });
 
   it('hesitates only near the bounds of the rule, and never between edges that look different', () => {
@@ -159,11 +172,11 @@ describe('LearntChoices', () => {
       '{',
       '3',
       '[]',
-      '{"version":1}',
-      stored(0, [[5, 1]]),
-      stored(1, [[5, 3]]),
-      stored(1, [['x', 1]]),
-      stored(1, 7),
+      '{"version":2}',
+      stored(1, [[5, 1]]),
+      stored(2, [[5, 3]]),
+      stored(2, [['x', 1]]),
+      stored(2, 7),
     ];
     for (const text of texts) {
       const learnt = new LearntChoices('GPU', storageOf(text));
@@ -171,7 +184,7 @@ describe('LearntChoices', () => {
       learnt.set(5, 1);
       expect(learnt.get(5)).toBe(1);
     }
-    expect(new LearntChoices('GPU', storageOf(stored(1, [[5, 1]]))).get(5)).toBe(1);
+    expect(new LearntChoices('GPU', storageOf(stored(2, [[5, 1]]))).get(5)).toBe(1);
   });
 
   it('is bounded, by entries and by GPUs', () => {
@@ -201,11 +214,11 @@ it('tells a stored verdict in words: the pair, the faster one, and where it hold
   const storage = storageOf();
   const choices = new LearntChoices('GPU', storage);
   const learner = new TechniqueLearner(choices);
-  const key = learner.keyOf('tiled-deferred', 'clustered-forward', figures, PIXELS);
+  const key = learner.keyOf('tiled-deferred', 'clustered-forward', figures);
   for (let i = 0; i < 15; i++) learner.add(key, 'clustered-forward', 2, 'tiled-deferred', 1);
   const told = {
     ...{ gpu: 'GPU', techniques: ['clustered-forward', 'tiled-deferred'], faster: 'tiled-deferred' },
-    ...{ lights: 32, coverage: 2, pixels: 2 ** 20 },
+    ...{ lights: 32, coverage: 2, overdraw: 1, pixels: 2 ** 20 },
   };
   expect(choices.all().map((each) => readVerdict(...each))).toEqual([told]);
   // those of other GPUs are stored beside them

@@ -18,7 +18,10 @@ const order: readonly ChosenTechnique[] = [
   'clustered-forward',
   'clustered-deferred',
   'tiled-deferred',
+  'forward-plus',
 ];
+/** Factor of the first technique of a pair in keys. */
+const PAIR = 8;
 
 /** A verdict of 'auto' on a GPU: which of two techniques is faster there, from so many lights and pixels up to twice as many. */
 export interface LearntChoice {
@@ -30,6 +33,8 @@ export interface LearntChoice {
   readonly lights: number;
   /** Mean number of lights over a pixel. */
   readonly coverage: number;
+  /** Shadings of a pixel where one of the two techniques draws depth first, as estimated; else 1. */
+  readonly overdraw: number;
   /** Pixels of the picture. */
   readonly pixels: number;
 }
@@ -37,11 +42,11 @@ export interface LearntChoice {
 /** A stored verdict in words, see {@link TechniqueLearner.keyOf}. */
 export function readVerdict(gpu: string, key: number, verdict: Verdict): LearntChoice {
   const digit = (place: number): number => Math.floor(key / 32 ** place) % 32;
-  const pair = Math.floor(key / 32 ** 3);
-  const techniques = [order[pair >> 2], order[pair & 3]] as const;
+  const pair = Math.floor(key / 32 ** 4);
+  const techniques = [order[Math.floor(pair / PAIR)], order[pair % PAIR]] as const;
   return {
     ...{ gpu, techniques, faster: verdict === TIE ? null : techniques[verdict] },
-    ...{ lights: 2 ** digit(2), coverage: 2 ** digit(1), pixels: 2 ** digit(0) },
+    ...{ lights: 2 ** digit(3), coverage: 2 ** digit(2), overdraw: 2 ** digit(1), pixels: 2 ** digit(0) },
   };
 }
 
@@ -84,16 +89,15 @@ export class TechniqueLearner {
     return null;
   }
 
-  /**
-   * Key of a pair of techniques, whichever comes first, for figures of about this size.
-   * @param pixels - number of pixels of the picture
-   */
-  keyOf(one: ChosenTechnique, other: ChosenTechnique, figures: SceneFigures, pixels: number): number {
+  /** Key of a pair of techniques, whichever comes first, for figures of about this size. */
+  keyOf(one: ChosenTechnique, other: ChosenTechnique, figures: SceneFigures): number {
     const i = order.indexOf(one);
     const j = order.indexOf(other);
     const lights = steps(figures.bounded + figures.everywhere);
     const coverage = steps(figures.coverage + figures.everywhere);
-    return (((Math.min(i, j) * 4 + Math.max(i, j)) * 32 + lights) * 32 + coverage) * 32 + steps(pixels);
+    const overdraw = one === 'forward-plus' || other === 'forward-plus' ? steps(1 + figures.overdraw) : 0;
+    const pair = Math.min(i, j) * PAIR + Math.max(i, j);
+    return (((pair * 32 + lights) * 32 + coverage) * 32 + overdraw) * 32 + steps(figures.pixels);
   }
 
   /** Faster technique of a pair, as learnt; `technique`, which the rule picked, where nothing is. */

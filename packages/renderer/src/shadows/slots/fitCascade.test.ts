@@ -46,6 +46,21 @@ describe('fitCascade', () => {
     }
   });
 
+  test('tiles of a picture have the cascades of the whole', () => {
+    const { view, whole } = setUp();
+    const fitted = (): number[] => {
+      const fit = new Float64Array(4);
+      view.updateProjectionMatrix();
+      fitCascade(new ShadowFace(new OrthographicCamera()), whole, view, 2, 128, 128, fit);
+      return [...fit];
+    };
+    const all = fitted();
+    for (const x of [0, 250]) {
+      view.setViewOffset(400, 300, x, 20, 150, 90);
+      fitted().forEach((value, i) => expect(value).toBeCloseTo(all[i], 9));
+    }
+  });
+
   test('each cascade shows what is near the camera, and its map is stale when the camera moves, not at rest', () => {
     const { view, light } = setUp();
     const slot = new ShadowSlot(light, 4);

@@ -55,13 +55,19 @@ export function fitCascade(
   out[3] = (bottom - y + radius) / (2 * radius);
 }
 
-/** Finds the sphere round what a camera sees up to a distance (m): leaves its centre (view space) in `centre`. @returns its radius (m) */
+/**
+ * Finds the sphere round what a camera sees up to a distance (m): leaves its centre (view space) in `centre`. Of a camera that draws
+ * a tile (`setViewOffset`) the whole picture counts: tiles that share cascades meet without a seam.
+ * @returns its radius (m)
+ */
 function sphereWithin(viewer: Camera, distance: number): number {
   const p = viewer.projectionMatrix.elements;
   const near = (viewer as PerspectiveCamera).near;
   const far = Math.max(distance, near * 1.5);
-  const x = 1 / p[0];
-  const y = 1 / p[5];
+  const { view } = viewer as PerspectiveCamera;
+  const isTile = view?.enabled === true;
+  const x = (isTile ? view.fullWidth / view.width : 1) / p[0];
+  const y = (isTile ? view.fullHeight / view.height : 1) / p[5];
   if (p[11] === 0) {
     centre.set(0, 0, -0.5 * (near + far));
     return Math.hypot(x, y, 0.5 * (far - near));

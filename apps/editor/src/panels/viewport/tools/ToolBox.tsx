@@ -7,6 +7,7 @@ const boxes: Readonly<Record<string, ComponentType<{ tool: never }>>> = {
   duplicate: lazy(async () => ({ default: (await import('./DuplicateBox')).DuplicateBox })),
   'light-meter': lazy(async () => ({ default: (await import('./MeterBox')).MeterBox })),
   measure: lazy(async () => ({ default: (await import('./MeasureBox')).MeasureBox })),
+  'pixel-lighting': lazy(async () => ({ default: (await import('./PixelBox')).PixelBox })),
 };
 
 export function ToolBox({ tool }: { readonly tool: Tool }): ReactNode {

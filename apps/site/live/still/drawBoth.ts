@@ -2,17 +2,10 @@ import type { FarolRenderer } from '@farol/renderer';
 import { interceptRender } from '@farol/renderer/intercept';
 import { setShading } from '@farol/renderer';
 import { getSurfaces, setSurface } from '@farol/renderer/surfaces';
-import {
-  FloatType,
-  type Light,
-  type Material,
-  type Mesh,
-  type Object3D,
-  RectAreaLight,
-  WebGLRenderTarget,
-} from 'three';
+import { FloatType, type Light, type Material, type Mesh, type Object3D, WebGLRenderTarget } from 'three';
 import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
-import type { LiveModule } from './startLive';
+import type { LiveModule } from '../startLive';
+import type { StillClock } from './StillClock';
 
 /** Lights of stock three's that fit into its uniforms, and shadow maps that fit into its texture units. */
 const MOST_LIGHTS = 20;
@@ -33,10 +26,14 @@ export interface BothPictures {
  * Draws a live module's scene by stock three and by its own FarolRenderer, into linear floats. Takes away first what stock
  * three has no means for; the page is of no use afterwards.
  */
-export async function drawBoth(live: LiveModule, width: number, height: number): Promise<BothPictures> {
+export async function drawBoth(
+  clock: StillClock,
+  live: LiveModule,
+  width: number,
+  height: number,
+): Promise<BothPictures> {
   const [farol, webgl, scene, camera] = await Promise.all([live.farol!, live.webgl!, live.scene!, live.camera!]);
-  const { stillClock } = window;
-  await stillClock!.until(farol.ready);
+  await clock.until(farol.ready);
   const leftOut = [...takeAway(farol), ...takeFromScene(scene)];
   RectAreaLightUniformsLib.init();
   const { technique } = farol.info;
@@ -113,7 +110,7 @@ function takeFromScene(scene: Object3D): Set<string> {
     const { farol, farolMap, farolProfile, ...others } = light.userData;
     if (farol || farolMap || farolProfile) leftOut.add('options of lights');
     light.userData = others;
-    if (light.castShadow && (light instanceof RectAreaLight || ++shadows > MOST_SHADOWS)) {
+    if (light.castShadow && ('isRectAreaLight' in light || ++shadows > MOST_SHADOWS)) {
       light.castShadow = false;
       leftOut.add(`shadows but ${MOST_SHADOWS}`);
     }

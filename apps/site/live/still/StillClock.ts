@@ -1,27 +1,20 @@
-declare global {
-  interface Window {
-    /** Clock of a page opened with `&still`; undefined otherwise. */
-    stillClock?: StillClock;
-  }
-}
-
 /**
- * Clock that stands still, in place of the page's own: frames come when {@link advance} is called, and `performance.now()`
- * is the time of the last one. Same steps, same picture.
+ * Clock that stands still, in place of that of the page or worker: frames come when {@link advance} is called, and
+ * `performance.now()` is the time of the last one. Same steps, same picture.
  */
 export class StillClock {
   /** Time since the page's beginning (s). */
   seconds = 0;
   private callbacks = new Map<number, FrameRequestCallback>();
   private last = 0;
-  private readonly nextFrame = window.requestAnimationFrame.bind(window);
+  private readonly nextFrame = globalThis.requestAnimationFrame.bind(globalThis);
 
   constructor() {
-    window.requestAnimationFrame = (callback) => {
+    globalThis.requestAnimationFrame = (callback) => {
       this.callbacks.set(++this.last, callback);
       return this.last;
     };
-    window.cancelAnimationFrame = (handle) => void this.callbacks.delete(handle);
+    globalThis.cancelAnimationFrame = (handle) => void this.callbacks.delete(handle);
     performance.now = () => this.seconds * 1000;
   }
 

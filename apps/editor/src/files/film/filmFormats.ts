@@ -1,0 +1,56 @@
+import { t } from '@farol/editing';
+import { canEncodeVideo, Quality, type VideoCodec } from 'mediabunny';
+
+/** A kind of file that films are saved as. */
+export interface FilmFormat {
+  /** Names of container and codec, not translated but for frames. */
+  readonly label: string;
+  readonly extension: 'mp4' | 'webm' | 'zip';
+  readonly type: string;
+  /** Codec of the video; null for pictures. */
+  readonly codec: VideoCodec | null;
+  /** Bits that a pixel of a frame takes at good quality, about. */
+  readonly bits: number;
+}
+
+/** Kinds of films; those first are preferred where the browser can encode them. */
+export const filmFormats = {
+  avc: { label: 'MP4 (H.264)', extension: 'mp4', type: 'video/mp4', codec: 'avc', bits: 0.15 },
+  vp9: { label: 'WebM (VP9)', extension: 'webm', type: 'video/webm', codec: 'vp9', bits: 0.1 },
+  av1: { label: 'WebM (AV1)', extension: 'webm', type: 'video/webm', codec: 'av1', bits: 0.08 },
+  vp8: { label: 'WebM (VP8)', extension: 'webm', type: 'video/webm', codec: 'vp8', bits: 0.15 },
+  png: { label: 'PNG', extension: 'zip', type: 'application/zip', codec: null, bits: 12 },
+} as const satisfies Record<string, FilmFormat>;
+
+export type FilmFormatName = keyof typeof filmFormats;
+
+/** Video of a film, as far as encoders ask for it. */
+export interface VideoSize {
+  readonly width: number;
+  readonly height: number;
+  /** Bits a second. */
+  readonly bitrate: number;
+}
+
+/** Why this browser cannot make such a film, in a sentence with the mend; null where it can. */
+export async function filmProblem(name: FilmFormatName, { width, height, bitrate }: VideoSize): Promise<string | null> {
+  const { codec, label } = filmFormats[name];
+  if (codec === null) return null;
+  if (typeof VideoEncoder === 'undefined')
+    return t('This browser does not encode video here (WebCodecs needs https and a new browser): choose PNG frames.');
+  if (codec === 'avc' && (width % 2 !== 0 || height % 2 !== 0))
+    return t('{format} needs an even width and height, such as {width} × {height}.', {
+      ...{ format: label, width: width + (width % 2), height: height + (height % 2) },
+    });
+  if (await canEncodeVideo(codec, { width, height, quality: new Quality({ bitrate }) })) return null;
+  return t('This browser does not encode {format} at {width} × {height}: choose another format or a smaller size.', {
+    ...{ format: label, width, height },
+  });
+}
+
+/** The first format that this browser encodes; PNG frames where it encodes none. */
+export async function bestFormat(size: VideoSize): Promise<FilmFormatName> {
+  for (const name of Object.keys(filmFormats) as FilmFormatName[])
+    if ((await filmProblem(name, size)) === null) return name;
+  return 'png';
+}

@@ -1,0 +1,42 @@
+import type { LightGroup } from '@farol/engine';
+import type { Vector3Tuple } from '@farol/engine/fields';
+import type { LightColumn } from './LightTable';
+
+/** A name in lower case, its numbers padded so that texts sort as numbers do. */
+export const keyOfName = (name: string): string =>
+  name.toLowerCase().replaceAll(/\d+/g, (digits) => digits.padStart(9, '0'));
+
+/** Hue of a linear colour (0 to 6), greys before all. */
+export function hueOf([r, g, b]: Vector3Tuple): number {
+  const most = Math.max(r, g, b);
+  const span = most - Math.min(r, g, b);
+  if (span < 1e-6 * most) return -1;
+  if (most === r) return ((g - b) / span + 6) % 6;
+  return most === g ? (b - r) / span + 2 : (r - g) / span + 4;
+}
+
+/** Key of a group in a column; 0 where groups show nothing, which then stand by name. @param cost - of its lights */
+export function keyOfGroup(group: LightGroup, column: LightColumn, cost: () => number): number | string {
+  if (column === 'name') return keyOfName(group.gameObject.name);
+  if (column === 'on') return Number(!group.isActive);
+  if (column === 'intensity') return group.dimmer;
+  if (column === 'colour') return hueOf(group.colour);
+  return column === 'cost' ? -cost() : 0;
+}
+
+/** Items by their keys, the other way round when descending; those of one key by name. */
+export function sortByKey<Item>(
+  items: readonly Item[],
+  keyOf: (item: Item) => number | string,
+  nameKeyOf: (item: Item) => string,
+  isDescending: boolean,
+): Item[] {
+  const keys = new Map(items.map((item) => [item, keyOf(item)]));
+  const sign = isDescending ? -1 : 1;
+  return items.toSorted((a, b) => {
+    const [first, second] = [keys.get(a)!, keys.get(b)!];
+    if (first !== second) return first < second ? -sign : sign;
+    const [nameA, nameB] = [nameKeyOf(a), nameKeyOf(b)];
+    return nameA < nameB ? -1 : nameA > nameB ? 1 : 0;
+  });
+}

@@ -1,0 +1,74 @@
+import { t } from '@farol/editing';
+import { type ReactNode, useState } from 'react';
+import { Button } from '../../ui/Button';
+import { NumberInput, type NumberInputProps } from '../../ui/NumberInput';
+
+/** Width and height (pixels). */
+export type Size = readonly [number, number];
+
+type NumberRowProps = Pick<NumberInputProps, 'label' | 'min' | 'max' | 'step' | 'unit' | 'disabled'> & {
+  readonly value: number;
+  onChange(value: number): void;
+};
+
+/** A number with its label; what is typed and not committed is taken back by Escape. */
+export function NumberRow({ label, value, onChange, ...rest }: NumberRowProps): ReactNode {
+  const [draft, setDraft] = useState<number | null>(null);
+  return (
+    <div className="dialog-row">
+      <span aria-hidden="true">{label}</span>
+      <NumberInput
+        {...rest}
+        label={label}
+        value={draft ?? value}
+        onPreview={setDraft}
+        onCommit={() => {
+          if (draft !== null) onChange(draft);
+          setDraft(null);
+        }}
+        onDiscard={() => setDraft(null)}
+      />
+    </div>
+  );
+}
+
+interface PixelSizeProps {
+  /** Sizes by their names. */
+  readonly offered: Readonly<Record<string, Size>>;
+  readonly value: Size;
+  /** Largest side. */
+  readonly max: number;
+  onChange(value: Size): void;
+}
+
+/** Size of a picture: one of several, or by numbers. */
+export function PixelSize({ offered, value: [width, height], max, onChange }: PixelSizeProps): ReactNode {
+  const common = { min: 1, max, step: 1, unit: 'px' };
+  return (
+    <>
+      <div className="export-row size-row">
+        {Object.entries(offered).map(([label, each]) => (
+          <Button
+            key={label}
+            label={label}
+            aria-pressed={each[0] === width && each[1] === height}
+            disabled={Math.max(...each) > max}
+            onClick={() => onChange(each)}
+          />
+        ))}
+      </div>
+      <NumberRow
+        {...common}
+        label={t('Width')}
+        value={width}
+        onChange={(wide) => onChange([Math.round(wide), height])}
+      />
+      <NumberRow
+        {...common}
+        label={t('Height')}
+        value={height}
+        onChange={(high) => onChange([width, Math.round(high)])}
+      />
+    </>
+  );
+}

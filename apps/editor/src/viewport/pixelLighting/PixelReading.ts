@@ -1,0 +1,103 @@
+import { t } from '@farol/editing';
+import { type GameObject, gameObjectOf, Light, ObjectRenderer, ParticleEmitter, type Scene } from '@farol/engine';
+import type { OtherLight, PixelLighting } from '@farol/renderer/pixel-lighting';
+import type { Color } from 'three';
+import { CostEstimate, type CostView } from '../../model/lights/lightCost';
+
+/** A line of light: of a light of the scene, or of the surroundings. */
+export interface ShareLine {
+  readonly key: string;
+  readonly name: string;
+  /** Object that is selected by the line; null for light of no object. */
+  readonly object: GameObject | null;
+  /** Linear RGB. */
+  readonly color: Color;
+  /** Part of all light that reaches the pixel, 0 to 1. */
+  readonly share: number;
+  /** Part of it that it would be without its shadow; null where that is no question. */
+  readonly unshadowed: number | null;
+  /** Linear RGB without its shadow; null likewise. */
+  readonly unshadowedColor: Color | null;
+  /** Distance (m); null for light of no place. */
+  readonly distance: number | null;
+  /** Estimated share of the lighting time in the picture, 0 to 1; null for light of no object. */
+  readonly cost: number | null;
+}
+
+/** Surface of the pixel, as the editor knows it. */
+export interface SurfaceLine {
+  readonly key: string;
+  readonly object: GameObject;
+  /** Name of the material's asset; null for a material of the object's own. */
+  readonly material: string | null;
+}
+
+/** Light of a pixel with the objects that it comes from. */
+export interface PixelReading {
+  readonly lighting: PixelLighting;
+  readonly lights: readonly ShareLine[];
+  readonly others: readonly ShareLine[];
+  readonly surfaces: readonly SurfaceLine[];
+}
+
+const luminanceOf = ({ r, g, b }: Color): number => 0.2126 * Math.abs(r) + 0.7152 * Math.abs(g) + 0.0722 * Math.abs(b);
+
+/** Names of light that is of no object. */
+const labelOfOther = (kind: OtherLight, count: number): string =>
+  ({
+    ambient: t('Ambient light'),
+    hemisphere: t('Hemisphere light'),
+    'light-probe': t('Light probe'),
+    environment: t('Environment'),
+    probes: t('Baked light probes'),
+    lightmap: t('Lightmap'),
+    emissive: t('Emissive'),
+    fog: t('Fog'),
+    unlit: t('Background and unlit'),
+    lights: t('{count} weaker lights', { count }),
+  })[kind];
+
+/** Estimated costs of all lights, by their objects. */
+function costsOf(scene: Scene, view: CostView): ReadonlyMap<GameObject, number> {
+  const emitters = scene.componentsOf(ParticleEmitter).filter(({ shine }) => shine);
+  const sources = [...scene.componentsOf(Light), ...emitters];
+  const run = new CostEstimate(sources, view);
+  let costs = run.next();
+  while (costs === null) costs = run.next();
+  return new Map(sources.map(({ gameObject }, i) => [gameObject, costs[i]]));
+}
+
+/** Reads what the renderer found at a pixel as lines of the scene's objects. */
+export function readPixel(lighting: PixelLighting, scene: Scene, view: CostView): PixelReading {
+  const costs = costsOf(scene, view);
+  const whole = luminanceOf(lighting.sum);
+  const partOf = (color: Color): number => (whole > 0 ? luminanceOf(color) / whole : 0);
+  const lights = lighting.lights.map(({ light, index, color, unshadowed, share, distance }, i): ShareLine => {
+    const object = gameObjectOf(light);
+    const name = object?.name ?? (light.name || light.type);
+    return {
+      key: `light ${i}`,
+      name: index === null ? name : `${name} ${index + 1}`,
+      object,
+      ...{ color, share, distance },
+      unshadowed: partOf(unshadowed),
+      unshadowedColor: unshadowed,
+      cost: (object && costs.get(object)) ?? null,
+    };
+  });
+  const others = lighting.others.map(({ kind, light, count, color, share }, i): ShareLine => {
+    const object = light && gameObjectOf(light);
+    const name = object?.name ?? labelOfOther(kind, count);
+    const nothing = { unshadowed: null, unshadowedColor: null, distance: null, cost: null };
+    return { key: `other ${i}`, name, object, color, share, ...nothing };
+  });
+  return { lighting, lights, others, surfaces: surfacesOf(lighting) };
+}
+
+function surfacesOf({ surfaces }: PixelLighting): SurfaceLine[] {
+  return surfaces.flatMap(({ object: three, instanceId }, i) => {
+    const object = gameObjectOf(three, instanceId ?? undefined);
+    if (object === null) return [];
+    return [{ key: `${i}`, object, material: object.getComponent(ObjectRenderer)?.material ?? null }];
+  });
+}

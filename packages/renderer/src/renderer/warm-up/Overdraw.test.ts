@@ -1,0 +1,84 @@
+import {
+  BoxGeometry,
+  type Camera,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  OrthographicCamera,
+  PerspectiveCamera,
+  PlaneGeometry,
+} from 'three';
+import { expect, it } from 'vitest';
+import type { RenderItem } from '../../frame/RenderItem';
+import { Overdraw } from './Overdraw';
+
+const material = new MeshStandardMaterial();
+const camera = new PerspectiveCamera(60, 16 / 9, 0.1, 100);
+camera.updateMatrixWorld();
+
+/** A quad of a size at a depth, in front of the camera. */
+function quad(depth: number, size = 1000, x = 0): Mesh {
+  const mesh = new Mesh(new PlaneGeometry(size, size), material);
+  mesh.position.set(x, 0, -depth);
+  mesh.updateMatrixWorld();
+  return mesh;
+}
+
+const item = (object: Mesh, route: RenderItem['route'] = 'split'): RenderItem =>
+  ({ object, geometry: object.geometry, group: null, route }) as unknown as RenderItem;
+
+function estimate(items: readonly RenderItem[], by: Camera = camera): Overdraw {
+  const overdraw = new Overdraw();
+  overdraw.follow({ camera: by, queue: { opaque: items } });
+  return overdraw;
+}
+
+const depths = Array.from({ length: 16 }, (_, i) => 20 - i);
+
+it('counts every layer that is drawn from back to front, and none from front to back', () => {
+  const layers = depths.map((depth) => item(quad(depth)));
+  expect(estimate(layers)).toMatchObject({ layers: 15, triangles: 32 });
+  expect(estimate(layers.toReversed()).layers).toBe(0);
+  const flat = new OrthographicCamera(-10, 10, 10, -10, 0.1, 100);
+  flat.updateMatrixWorld();
+  expect(estimate(layers, flat).layers, 'an orthographic camera').toBe(15);
+});
+
+it('counts the part of the picture that is covered twice', () => {
+  const { x: half } = camera.position.clone().set(1, 0, 0).unproject(camera);
+  const right = 10 * (half / 0.1);
+  const layers = [item(quad(20)), item(quad(10, 2 * right, right))];
+  expect(estimate(layers).layers).toBeCloseTo(0.5, 1);
+  expect(estimate([item(quad(20)), item(quad(10, 1, 500))]).layers, 'out of sight').toBe(0);
+});
+
+it('leaves out what no depth pre-pass draws, and what has no positions or known bounds', () => {
+  const instanced = new InstancedMesh(new BoxGeometry(100, 100, 1), material, 3);
+  const empty = new Mesh(undefined, material);
+  const others = [item(quad(10), 'plain'), item(quad(9), 'forward'), item(instanced), item(empty)];
+  expect(estimate([item(quad(20)), ...others])).toMatchObject({ layers: 0, triangles: 2 + 36 });
+  instanced.setMatrixAt(0, new Matrix4().setPosition(0, 0, -110));
+  for (const i of [1, 2]) instanced.setMatrixAt(i, new Matrix4().setPosition(0, 0, -110 - i));
+  instanced.computeBoundingSphere();
+  expect(estimate([item(quad(200)), item(instanced)]).layers, 'instances, by their sphere').toBeGreaterThan(0.5);
+});
+
+it('takes a box that reaches behind the camera to cover the picture', () => {
+  const hall = new Mesh(new BoxGeometry(10, 10, 10), material);
+  hall.updateMatrixWorld();
+  expect(estimate([item(quad(20)), item(hall)]).layers).toBe(1);
+});
+
+it('is made anew every 32 frames, half of it from the one before, and for no more than 1,000 items', () => {
+  const overdraw = new Overdraw();
+  const follow = (items: readonly RenderItem[], frames: number) => {
+    for (let i = 0; i < frames; i++) overdraw.follow({ camera, queue: { opaque: items } });
+    return overdraw.layers;
+  };
+  const layers = depths.map((depth) => item(quad(depth)));
+  expect(follow(layers, 1)).toBe(15);
+  expect(follow([], 31)).toBe(15);
+  expect(follow([], 1)).toBe(7.5);
+  expect(estimate(Array.from({ length: 1001 }, (_, i) => layers[i % 16])).layers).toBe(0);
+});
