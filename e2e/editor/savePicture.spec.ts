@@ -72,7 +72,9 @@ test('a scene has a picture in its file: of its view, or of one that was chosen 
   await page.getByRole('menuitem', { name: 'Use this view as the scene’s picture' }).click();
   await expect.poll(async () => (await picture())?.chosen).toBe(true);
   const chosen = (await picture())!;
-  await page.evaluate(() => window.editor.document.scene.find('Sphere')!.getComponent('Transform')!.set('position', [0, 0.5, 3]));
+  await page.evaluate(() =>
+    window.editor.document.scene.find('Sphere')!.getComponent('Transform')!.set('position', [0, 0.5, 3]),
+  );
   await saveScene();
   expect(await picture(), 'saving keeps what was chosen').toEqual(chosen);
   await page.keyboard.press('Control+z');

@@ -1,4 +1,4 @@
-import type { TechniqueName } from '@farol/renderer';
+import type { FarolEffect, TechniqueName } from '@farol/renderer';
 import { WeightedBlendedOIT } from '@farol/renderer/transparency';
 import { VolumetricFog } from '@farol/renderer/volumetric-fog';
 import { Particles } from '@farol/renderer/particles';
@@ -236,7 +236,7 @@ interface Veil {
   expected(behind: number, fog: number, passes: number, share: number): number;
   /** Whether it adds light and hides none. */
   readonly isAdded?: boolean;
-  readonly effects?: ConstructorParameters<typeof Set<Bench['farol']['effects'][number]>>[0];
+  readonly effects?: readonly FarolEffect[];
 }
 
 const VALUE = 0.6;
@@ -339,7 +339,7 @@ export function fogBefore(name: string, technique: TechniqueName): Difference & 
   const { bench, camera, fog, scene } = street;
   // plain behind, since glass blurs
   for (const mesh of scene.children) if (mesh instanceof THREE.Mesh) mesh.visible = false;
-  const all = [...effects];
+  const all = [...(effects ?? [])];
   bench.farol.effects = [fog, ...all];
   const behind = street.draw(technique);
   const sheets = [0, 0xffffff].map((color) => {

@@ -4,7 +4,7 @@ test('vertices that the CPU cannot read any more, or never could, throw and rece
   benchPage: page,
 }) => {
   const frames = await page.evaluate(() => {
-    const { Bench, compareImages, three } = window.testPage;
+    const { Bench, compareImages, isSlice, three } = window.testPage;
     const bench = new Bench(96, 64);
     bench.webgl.shadowMap.enabled = true;
     const gl = bench.webgl.getContext();
@@ -59,8 +59,10 @@ test('vertices that the CPU cannot read any more, or never could, throw and rece
     }
     scene.add(floor, ...casters, sun, spot);
     const results: { name: string; psnr: number; drawn: number }[] = [];
+    // the knot alone is 168,000 triangles, drawn for two maps and the picture, by both renderers
+    const frames = isSlice ? 2 : 4;
     for (const technique of ['forward-single-pass', 'deferred', 'forward'] as const) {
-      for (let i = 0; i < 4; i++) {
+      for (let i = 0; i < frames; i++) {
         casters.forEach((caster) => (caster.rotation.y += 0.3));
         const image = bench.byTechnique(technique, scene, camera);
         const { psnr } = compareImages(bench.stock(scene, camera), image);

@@ -46,8 +46,13 @@ try {
           editor.layout.maximise('viewport');
           viewport.showGrid = false;
           viewport.showIcons = false;
-          await viewport.picture.ready;
-          viewport.renderNow();
+          // effects come with code that is fetched; fog and others gather frames
+          for (let count = -1; count !== viewport.farol.effects.length;) {
+            count = viewport.farol.effects.length;
+            await new Promise((resolve) => setTimeout(resolve, 10_000));
+            await viewport.farol.ready;
+          }
+          for (let frame = 0; frame < 8; frame++) viewport.renderNow();
           // the middle of the picture, in its shape
           const { canvas } = viewport;
           const tall = Math.min(canvas.height, (canvas.width * height) / width);

@@ -29,7 +29,12 @@ export const edits = {
   add_object: {
     description: 'Adds an object. A light shines along -Z; spot lights point down unless they are turned.',
     input: {
-      what: z.string().max(200).describe('such as "empty", "box", "Point light"; of the library "Street lamp", "Tree", "Foggy night": see describe_type'),
+      what: z
+        .string()
+        .max(200)
+        .describe(
+          'such as "empty", "box", "Point light"; of the library "Street lamp", "Tree", "Foggy night": see describe_type',
+        ),
       name: z.string().min(1).max(200).optional(),
       parent: object.optional().describe('the top of the scene when absent'),
       ...place,

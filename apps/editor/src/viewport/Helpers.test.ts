@@ -1,5 +1,5 @@
 import { GameObject, Light } from '@farol/engine';
-import { PerspectiveCamera, type WebGLRenderer } from 'three';
+import { type BufferAttribute, PerspectiveCamera, type WebGLRenderer } from 'three';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { EditorDocument } from '../model/EditorDocument';
 import { Helpers } from './Helpers';
@@ -61,7 +61,7 @@ it('icons are written anew when lights move or change their colour, not when the
   const after = async (edit: () => void): Promise<void> => {
     edit();
     await draw();
-    written.push(attributes.tint.version);
+    written.push((attributes.tint as BufferAttribute).version);
   };
   await after(() => {});
   await after(() => {});

@@ -100,7 +100,8 @@ export class LightField extends Light {
    */
   setCone(light: number, x: number, y: number, z: number, angle: number, penumbra = 0): void {
     this.check(light);
-    if (this.cones === null) throw new Error('LightField: setCone() needs spot lights; make the field with { spots: true }.');
+    if (this.cones === null)
+      throw new Error('LightField: setCone() needs spot lights; make the field with { spots: true }.');
     const scale = (2 + Math.cos(angle * (1 - penumbra))) / Math.hypot(x, y, z);
     this.cones.set(light, x * scale, y * scale, z * scale, Math.cos(angle));
   }

@@ -1,6 +1,7 @@
 import { type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
-import { drawCameras, type DrawByCamera, type Session } from './drawCameras';
+import { drawCameras, type DrawByCamera } from './drawCameras';
+import type { Session } from '../frame/Session';
 import { checkDevice } from '../gpu/checkDevice';
 import { qualities, type Quality } from '../gpu/isWeakDevice';
 import { type View, views } from '../frame/views';
@@ -73,8 +74,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private viewName: View = 'final';
   private xr: XRDraws | null = null;
   private disposed = false;
-  /** True within `render`: a nested `render`, called by a host's callback, is then drawn by three. */
-  private isDrawing = false;
+  private isDrawing = false; // within `render`: a nested one, of a host's callback, is drawn by three
   private session: Session | null = null; // of `@farol/renderer/pixel-lighting`, while that draws
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
