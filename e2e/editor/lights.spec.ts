@@ -5,8 +5,8 @@ import { outOfReach } from '../support/outOfReach';
 import { openEditor } from './editor';
 import { test } from './sharedEditor';
 
-// rows of the panel, and little of the picture
-test.use({ viewport: { width: 900, height: 900 } });
+// wide enough for all columns
+test.use({ viewport: { width: 1440, height: 900 } });
 
 /** Opens the editor with the empty scene, in a window of its own. */
 async function openLarge(page: Page): Promise<void> {
