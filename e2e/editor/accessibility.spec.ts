@@ -34,7 +34,7 @@ test('axe finds nothing serious, dark theme @verify', async ({ page }) => openTh
 test.describe('on a tablet', () => {
   test.use({ viewport: { width: 820, height: 1180 }, hasTouch: true });
 
-  test('fingers turn, move and choose', async ({ page }) => {
+  test('fingers turn, move and choose @verify', async ({ page }) => {
     await openEditor(page, 'empty');
     await addObject(page, 'Light', 'Spot light');
     await useFingers(page);

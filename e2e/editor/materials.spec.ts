@@ -71,7 +71,10 @@ test('a material is made of an object, edited, dropped on another, named, put in
     return document.elementFromPoint(left + width / 2, top + 30) === element;
   });
   expect(hit).toBe(true);
-  await card.dragTo(page.locator('.asset-folder[data-folder="Walls"]'), { steps: 4 });
+  // both in view: a scroll between press and move would take the card away from under the pointer
+  const folder = page.locator('.asset-folder[data-folder="Walls"]');
+  await folder.scrollIntoViewIfNeeded();
+  await card.dragTo(folder, { steps: 4 });
   await expect(card).toHaveCount(0);
   await page.getByRole('button', { name: 'Give the window back' }).click();
   await page.locator('.asset-folder[data-folder="Walls"]').click();

@@ -117,7 +117,7 @@ test('in a page that plays a scene a finger walks up steps, and a button jumps @
   await expect.poll(() => page.evaluate(() => window.highest)).toBeGreaterThan(ground + 0.7);
 });
 
-test('buttons of a headset lie clear of the others, and are read, in a page that plays a scene and in the editor', async ({
+test('buttons of a headset lie clear of the others, and are read, in a page that plays a scene and in the editor @verify', async ({
   page,
 }) => {
   await addHeadset(page);

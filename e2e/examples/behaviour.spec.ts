@@ -142,7 +142,7 @@ test('an address that names a technique or a part that there is not draws the pa
   watch.forgive(/THREE\.Clock: This module has been deprecated/);
 });
 
-test('r3f: one FarolRenderer serves the canvas, also while a sibling suspends', async ({ page, watch }) => {
+test('r3f: one FarolRenderer serves the canvas, also while a sibling suspends @verify', async ({ page, watch }) => {
   await openExample(page, 'r3f', 'deferred');
   const plain = await drawExample(page, 'deferred');
   expect(await page.evaluate(() => window.example.made), 'under StrictMode').toBe(1);

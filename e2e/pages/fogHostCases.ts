@@ -339,7 +339,7 @@ export function fogBefore(name: string, technique: TechniqueName): Difference & 
   const { bench, camera, fog, scene } = street;
   // plain behind, since glass blurs
   for (const mesh of scene.children) if (mesh instanceof THREE.Mesh) mesh.visible = false;
-  const all = [...effects];
+  const all = [...(effects ?? [])];
   bench.farol.effects = [fog, ...all];
   const behind = street.draw(technique);
   const sheets = [0, 0xffffff].map((color) => {

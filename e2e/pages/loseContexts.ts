@@ -39,7 +39,7 @@ export async function loseContexts(
   bench.webgl.domElement.addEventListener('webglcontextlost', () => bench.target.dispose());
   const image = new THREE.DataTexture(new Uint8Array([255, 200, 90, 255, 90, 160, 255, 255]), 2, 1);
   image.needsUpdate = true;
-  const { scene, camera } = shadowScene(96, 64, { caster: 'mixed', map: image, few: isSlice });
+  const { scene, camera } = shadowScene(96, 64, { caster: isSlice ? 'spot' : 'mixed', map: image, few: isSlice });
   const decal = new Decal(new THREE.MeshStandardMaterial({ color: 0x00ff00 }));
   decal.position.set(1, 0, 1.5);
   decal.rotation.x = -Math.PI / 2;

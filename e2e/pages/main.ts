@@ -33,7 +33,7 @@ import { LateCase } from './lateCases';
 import { CELL, lineSheet } from './lineSheet';
 import { FogScene } from './fogScene';
 import { floorScene } from './floorScene';
-import { materialScene } from './materialScene';
+import { fewMeshes, materialScene } from './materialScene';
 import { oneParticle } from './oneParticle';
 import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
@@ -44,7 +44,7 @@ import { runSettings } from './matrix/runSettings';
 import { enlargeSheet } from './matrix/enlargeSheet';
 import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
-import { drawn, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
+import { drawn, families, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
 /** An empty page for browser tests that build their own scenes: three and the renderer, whole. */
 export interface TestPage {
@@ -76,6 +76,7 @@ export interface TestPage {
   boundsScene: typeof boundsScene;
   privateScene: typeof privateScene;
   materialScene: typeof materialScene;
+  fewMeshes: typeof fewMeshes;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
   floorScene: typeof floorScene;
@@ -124,6 +125,7 @@ export interface TestPage {
   drawn: typeof drawn;
   isSlice: boolean;
   techniqueInTurn: typeof techniqueInTurn;
+  families: typeof families;
   techniquesInTurn: typeof techniquesInTurn;
   Bench: typeof Bench;
   devices: typeof devices;
@@ -162,6 +164,7 @@ window.testPage = {
   boundsScene,
   privateScene,
   materialScene,
+  fewMeshes,
   chunkScene,
   edgeScene,
   floorScene,
@@ -198,6 +201,7 @@ window.testPage = {
   drawn,
   isSlice,
   techniqueInTurn,
+  families,
   techniquesInTurn,
   Bench,
   devices,

@@ -1,5 +1,6 @@
 import * as THREE from 'three';
 import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
+import { isSlice } from './techniquesInTurn';
 
 /** A scene with its camera, ready to draw. */
 export interface TestScene {
@@ -151,11 +152,14 @@ export interface MaterialSceneOptions {
   /** Leaves out what no G-buffer holds, so that what is compared is the deferred path alone. */
   onlyDeferred?: boolean;
   fog?: boolean;
-  /** Which mesh of each three in a row is shown; default all. */
-  third?: 0 | 1 | 2;
+  /** Which mesh of each so many in a row is shown; default all. */
+  part?: readonly [which: number, every: number];
   /** Penumbra of every spot light; default: mixed, none hard-edged. */
   penumbra?: number;
 }
+
+/** Part of the meshes for tests whose subject is no material: in the slice a quarter of them, for fewer programs. */
+export const fewMeshes = isSlice ? ([0, 4] as const) : undefined;
 
 /**
  * Every lit material of three and every kind of mesh, before a floor, under a seeded mix of lights.
@@ -222,9 +226,10 @@ export function materialScene(width: number, height: number, options: MaterialSc
       new THREE.Mesh(sphere, new THREE.MeshPhongMaterial({ color: 0xffffff, transparent: true, opacity: 0.6 })),
     );
   }
+  const [which, every] = options.part ?? [0, 1];
   meshes.forEach((mesh, i) => {
     mesh.position.set(((i % 6) - 2.5) * 1.9, (1 - Math.floor(i / 6)) * 1.9, 0);
-    if (options.third === undefined || i % 3 === options.third) scene.add(mesh);
+    if (i % every === which) scene.add(mesh);
   });
   const floor = new THREE.Mesh(
     new THREE.PlaneGeometry(30, 30),

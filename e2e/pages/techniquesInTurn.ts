@@ -5,8 +5,11 @@ const all = Object.keys(techniques) as TechniqueName[];
 /** All techniques but 'auto', which is one of the others. */
 export const drawn = all.filter((name) => name !== 'auto');
 
-/** Techniques whose materials go through the lights, and those that light a G-buffer or fill a buffer of light. */
-const families = [drawn.filter((name) => name.includes('forward')), drawn.filter((name) => !name.includes('forward'))];
+/** Techniques whose materials go through the lights, and those that light a G-buffer or fill a buffer of light; without 'auto'. */
+export const families = [
+  drawn.filter((name) => name.includes('forward')),
+  drawn.filter((name) => !name.includes('forward')),
+];
 
 /** Extent of the tests (packages/tools/extent.mjs), as the page's address has it; all of it where that says nothing. */
 export const isSlice = new URLSearchParams(location.search).get('tests') === 'slice';

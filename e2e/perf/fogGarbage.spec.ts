@@ -48,13 +48,16 @@ test('a frame with volumetric fog allocates next to nothing more, and keeps noth
       },
       [hasFog, WARM] as const,
     );
-  await warm(false);
-  await warm(true);
   const look = () => allocated(page, session);
-  const foggy = await least(LOOKS, 0, look);
+  let [foggy, clear] = [Infinity, Infinity];
+  // in turn: what V8 compiles last is the leanest
+  for (let turn = 0; turn < 3; turn++) {
+    await warm(false);
+    clear = Math.min(clear, await least(3, 0, look));
+    await warm(true);
+    foggy = Math.min(foggy, await least(3, 0, look));
+  }
   const left = await least(LOOKS, KEPT, () => kept(page, session));
-  await warm(false);
-  const clear = await least(LOOKS, 0, look);
   const seen = `${clear.toFixed(0)} bytes a frame, ${foggy.toFixed(0)} with fog, ${left.toFixed(1)} kept`;
   test.info().annotations.push({ type: 'allocations', description: seen });
   expect(clear, seen).toBeGreaterThan(0);

@@ -95,7 +95,7 @@ test('info tells the bytes of everything: their sum is that of all textures and 
   }
 });
 
-test('with the quality lite all targets and shadow maps of 32 lights take at most 64 MB at 1920 × 1080', async ({
+test('with the quality lite all targets and shadow maps of 32 lights take at most 64 MB at 1920 × 1080 @verify', async ({
   page,
 }) => {
   test.setTimeout(120_000);

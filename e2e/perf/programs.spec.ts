@@ -59,7 +59,7 @@ test('after its first frame no technique compiles anything, whatever comes, goes
   expect(steps.filter(({ step, programs }) => step !== 'first' && programs > 0)).toEqual([]);
 });
 
-test("'auto' compiles for two techniques while lights load and code comes late: one draws until the other's is there", async ({
+test("'auto' compiles for two techniques while lights load and code comes late: one draws until the other's is there @verify", async ({
   page,
   pagesURL,
 }) => {

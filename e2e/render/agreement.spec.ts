@@ -25,26 +25,28 @@ interface SharedBench {
 /** Draws a scene by stock three once, and by every technique. */
 async function drawAll(
   page: Page,
-  options: Omit<MaterialSceneOptions, 'environment' | 'third'>,
+  options: Omit<MaterialSceneOptions, 'environment' | 'part'>,
   environment: boolean,
 ): Promise<Pair[]> {
   return page.evaluate(
     ([width, height, options, environment]) => {
-      const { Bench, compareImages, farol, isFlat, isSlice, materialScene } = window.testPage;
+      const { Bench, compareImages, families, farol, isFlat, isSlice, materialScene } = window.testPage;
       const bench = ((window as SharedBench).bench ??= new Bench(width, height));
       const map = environment ? bench.environment() : null;
       const names = Object.keys(farol.techniques) as TechniqueName[];
-      // in the slice a third of the meshes by each technique, all of them by each family
-      return (isSlice ? ([0, 1, 2] as const) : [undefined]).flatMap((third) => {
-        const { scene, camera } = materialScene(width, height, { ...options, environment: map, third });
+      // in the slice a quarter of the meshes by each technique but 'auto', which is one of them; all meshes by each family
+      const every = isSlice ? 4 : 1;
+      const turns = families.flatMap((family) => family.map((name, turn) => [name, turn % every] as const));
+      return Array.from({ length: every }, (_, which) => which).flatMap((which) => {
+        const part = [which, every] as const;
+        const { scene, camera } = materialScene(width, height, { ...options, environment: map, part });
         const stock = bench.stock(scene, camera);
-        return names
-          .filter((_, i) => third === undefined || i % 3 === third)
-          .map((technique) => ({
-            technique,
-            flat: isFlat(stock),
-            difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
-          }));
+        const drawnBy = isSlice ? turns.filter(([, turn]) => turn === which).map(([name]) => name) : names;
+        return drawnBy.map((technique) => ({
+          technique,
+          flat: isFlat(stock),
+          difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
+        }));
       });
     },
     [WIDTH, HEIGHT, options, environment] as const,
@@ -61,7 +63,7 @@ test.describe.configure({ timeout: 480_000 });
 
 interface Variant {
   readonly name: string;
-  readonly options?: Omit<MaterialSceneOptions, 'environment' | 'third'>;
+  readonly options?: Omit<MaterialSceneOptions, 'environment' | 'part'>;
   readonly environment?: boolean;
   /** Only the edge may differ where a position is rebuilt. */
   readonly hardEdge?: boolean;

@@ -13,7 +13,7 @@ interface Sampling extends CheckedSampling {
   readonly name: string;
   /** Other lights throw textures of their own before, so that no sampler is left and the image is copied. */
   readonly isCopied?: boolean;
-  /** Whether the slice has it: one copied image, and one whose limits are the strictest; cubeCookies.spec.ts has the nearest mipmap. */
+  /** Whether the slice has it: one copied image; `filters` has the strictest limits, cubeCookies.spec.ts the nearest mipmap. */
   readonly inSlice?: boolean;
   /** Beside stock three, by forward techniques, by lists over a G-buffer, by light volumes (dB). */
   readonly measured: readonly [number, number, number];
@@ -47,7 +47,6 @@ const samplings: readonly Sampling[] = [
     min: 'Linear',
     wrap: 'Repeat',
     side: 8,
-    inSlice: true,
     measured: [131, 59, 59],
   },
   { name: 'mirrored', min: 'LinearMipmapLinear', wrap: 'MirroredRepeat', side: 8, measured: [108, 59, 59] },

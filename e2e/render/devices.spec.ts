@@ -54,7 +54,7 @@ for (const [name, few] of Object.entries(LACKS) as [DeviceName, Few | null][]) {
   test(`a device without ${name}: the picture of stock three, or one sentence`, async ({ benchPage: page, watch }) => {
     test.setTimeout(isWhole ? 600_000 : 120_000);
     const [names, effectNames] = isWhole ? [TECHNIQUES, EFFECTS] : few!;
-    const run = { names, effectNames, whole: isWhole };
+    const run = { names, effectNames, whole: isWhole, rounds: isMediump(name) };
     const { results, beyond, stockPSNR } = await page.evaluate(([name, run]) => window.testPage.drawDevice(name, run), [
       name,
       run,

@@ -112,7 +112,7 @@ test('a dithered material is dithered by its place in the target, by every techn
 });
 
 for (const isChanged of [false, true]) {
-  test(`the disk of a soft shadow is turned by the place in the target, by every technique, when a camera draws to a part of it${isChanged ? ', where the host has changed the look-up of shadows' : ''}`, async ({
+  test(`the disk of a soft shadow is turned by the place in the target, by every technique, when a camera draws to a part of it${isChanged ? ', where the host has changed the look-up of shadows @verify' : ''}`, async ({
     benchPage: page,
   }) => {
     const pairs = await page.evaluate((isChanged) => {

@@ -66,9 +66,9 @@ test('a light that is not a number is named once, left out, and the picture stay
   watch,
 }) => {
   const { largest, visible } = await page.evaluate(() => {
-    const { Bench, compareImages, materialScene, three } = window.testPage;
+    const { Bench, compareImages, fewMeshes, materialScene, three } = window.testPage;
     const bench = new Bench(64, 48);
-    const { scene, camera } = materialScene(64, 48, { count: 4, onlyDeferred: true });
+    const { scene, camera } = materialScene(64, 48, { count: 4, onlyDeferred: true, part: fewMeshes });
     const before = bench.byTechnique('deferred', scene, camera);
     const visible = bench.farol.info.lights.visible;
     const broken = new three.PointLight(0xffffff, NaN, 5);
@@ -101,9 +101,9 @@ test('what has no finite place, or a shader that does not compile, is named; the
   watch,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, materialScene, three } = window.testPage;
+    const { Bench, compareImages, farol, fewMeshes, materialScene, three } = window.testPage;
     const bench = new Bench(64, 48);
-    const { scene, camera } = materialScene(64, 48, { count: 4, onlyDeferred: true });
+    const { scene, camera } = materialScene(64, 48, { count: 4, onlyDeferred: true, part: fewMeshes });
     const lost = new three.Mesh(new three.BoxGeometry(), new three.MeshStandardMaterial());
     lost.name = 'lost box';
     lost.position.x = NaN;

@@ -70,8 +70,8 @@ async function checkViews(page: Page, watch: Watch, scene: string, index: number
   for (const [turn, technique] of turns) {
     const own = inTurn(
       views.filter((view) => ofTechnique.has(view) && view !== 'final'),
-      turn + index,
-      2,
+      index,
+      4,
     );
     // to the canvas once, then each view to a float target
     await page.evaluate((name) => window.viewer.setTechnique(name), technique);

@@ -5,9 +5,9 @@ test('the host finds its scene, renderer, device and three as they were, and sto
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, hostSnapshot, isSlice, materialScene, techniquesInTurn, three } = window.testPage;
+    const { Bench, compareImages, fewMeshes, hostSnapshot, materialScene, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(80, 60);
-    const { scene, camera } = materialScene(80, 60, { count: 8, onlyDeferred: true, third: isSlice ? 0 : undefined });
+    const { scene, camera } = materialScene(80, 60, { count: 8, onlyDeferred: true, part: fewMeshes });
     // what Farol switches for a moment: nested lights, order, transmission, clearing
     const glass = new three.Mesh(new three.SphereGeometry(0.5), new three.MeshPhysicalMaterial({ transmission: 1 }));
     const hider = new three.Mesh(new three.PlaneGeometry(), new three.MeshStandardMaterial({ colorWrite: false }));

@@ -180,7 +180,7 @@ test('what a callback clears, and what it keeps of a material, is as by stock th
   }
 });
 
-test('what callbacks of an object have three draw is drawn as by stock three, with a target of their own and without', async ({
+test('what callbacks of an object have three draw is drawn as by stock three, with a target of their own and without @verify', async ({
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {

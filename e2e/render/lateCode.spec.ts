@@ -99,7 +99,7 @@ test('what will need code has it fetched before the first frame', async ({ page,
   }
 });
 
-test('shadow maps that are asked for once are drawn also where their code comes after three has taken the request back', async ({
+test('shadow maps that are asked for once are drawn also where their code comes after three has taken the request back @verify', async ({
   page,
   pagesURL,
 }) => {

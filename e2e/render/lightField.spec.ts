@@ -1,6 +1,7 @@
 import type { TechniqueName } from '@farol/renderer';
 import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
+import { extent } from '@farol/tools/extent';
 import { expect, test } from '../support/benchTest';
 
 test('lights of fields look as the same lights one by one, by every technique', async ({ benchPage: page }) => {
@@ -189,10 +190,10 @@ test('a picture without a field, and its programs, are the same before and after
   page,
   pagesURL,
 }) => {
-  await page.goto(`${pagesURL}?lazy`);
+  await page.goto(`${pagesURL}?lazy&tests=${extent}`);
   await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(async () => {
-    const { Bench, farol, lightFields, three } = window.testPage;
+    const { Bench, farol, isSlice, lightFields, three } = window.testPage;
     const scene = new three.Scene();
     const floor = new three.Mesh(new three.PlaneGeometry(9, 9), new three.MeshStandardMaterial({ roughness: 0.4 }));
     const glass = new three.Mesh(
@@ -215,7 +216,8 @@ test('a picture without a field, and its programs, are the same before and after
     camera.lookAt(0, 0, 0);
     // what needs code of another kind is left out, or its code fetched: it would change with that
     await farol.FarolRenderer.preload(['light-grid', 'light-tiles']);
-    const techniques = ['forward-single-pass', 'deferred', 'tiled-deferred', 'clustered-deferred', 'clustered-forward'];
+    const all = ['forward-single-pass', 'tiled-deferred', 'clustered-forward', 'deferred', 'clustered-deferred'];
+    const techniques = isSlice ? all.slice(0, 3) : all;
     const draw = () => {
       const bench = new Bench(64, 48);
       const gl = bench.webgl.getContext() as WebGL2RenderingContext;
@@ -248,7 +250,8 @@ test('a picture without a field, and its programs, are the same before and after
   expect(seen.sources[0]).toBeGreaterThan(8);
   expect(seen.sources[1], 'sources of programs').toBe(true);
   expect(seen.same, 'another renderer, and one that drew a field').toEqual([true, true]);
-  expect(seen.seen).toEqual([true, true, true, true, true]);
+  expect(seen.seen.length).toBeGreaterThan(2);
+  expect(seen.seen, 'techniques that show the field').not.toContain(false);
 });
 
 test('a field lights what the camera sees if it shares a layer with the camera, as lights do in three', async ({

@@ -120,7 +120,7 @@ alone(
   },
 );
 
-test('until the code of node materials is there three draws the scene, then Farol does: the same picture', async ({
+test('until the code of node materials is there three draws the scene, then Farol does: the same picture @verify', async ({
   page,
   pagesURL,
 }) => {
@@ -143,7 +143,9 @@ test('until the code of node materials is there three draws the scene, then Faro
   checkAgreement('clustered-forward', results.after, 'node materials, once their code is there');
 });
 
-test('a frame leaves node materials as the host drew them, and both draw on as before', async ({ benchPage: page }) => {
+test('a frame leaves node materials as the host drew them, and both draw on as before @verify', async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(async () => {
     const { alphaBench, compareImages, effects, hostSnapshot, nodeScene, three } = window.testPage;
     const { bench, toCanvas } = alphaBench(64, 48);

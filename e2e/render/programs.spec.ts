@@ -4,10 +4,10 @@ test('500 lights added one by one, toggled and removed compile nothing, and none
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, materialScene, techniquesInTurn, three } = window.testPage;
+    const { Bench, fewMeshes, materialScene, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(32, 24);
     return techniquesInTurn(4).map((technique) => {
-      const { scene, camera, lights } = materialScene(32, 24, { count: 4 });
+      const { scene, camera, lights } = materialScene(32, 24, { count: 4, part: fewMeshes });
       bench.byTechnique(technique, scene, camera);
       // 'auto' compiles a technique when it first picks it: it has been through both ends before the count
       if (technique === 'auto') {

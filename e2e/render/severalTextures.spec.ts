@@ -86,10 +86,10 @@ test('effects in a target with several textures: those that take the picture ove
   watch,
 }) => {
   const { error, same } = await page.evaluate(() => {
-    const { Bench, compareImages, effects, materialScene, three } = window.testPage;
+    const { Bench, compareImages, effects, fewMeshes, materialScene, three } = window.testPage;
     const { webgl, farol } = new Bench(64, 48);
     const target = new three.WebGLRenderTarget(64, 48, { count: 2, type: three.HalfFloatType });
-    const { scene, camera } = materialScene(64, 48, { count: 2, onlyDeferred: true });
+    const { scene, camera } = materialScene(64, 48, { count: 2, onlyDeferred: true, part: fewMeshes });
     farol.technique = 'deferred';
     const draw = () => {
       webgl.setRenderTarget(target);

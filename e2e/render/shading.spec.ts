@@ -220,7 +220,7 @@ test('lights of a LightField light what is Gouraud-shaded as single lights do, b
   }
 });
 
-test('area lights light what is flat as faces of their own, and what is Gouraud-shaded at its vertices', async ({
+test('area lights light what is flat as faces of their own, and what is Gouraud-shaded at its vertices @verify', async ({
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {

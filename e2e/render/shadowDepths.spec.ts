@@ -42,7 +42,7 @@ const table: readonly [
   ['vsm', 'normal', 'directional', [90, 63]],
   ['vsm', 'logarithmic', 'spot', [90, 60]],
   ['vsm', 'logarithmic', 'directional', [90, 63]],
-  ['vsm', 'reversed', 'spot', [69, 63], true],
+  ['vsm', 'reversed', 'spot', [69, 63]],
   ['vsm', 'reversed', 'directional', [90, 63]],
 ];
 

@@ -4,7 +4,7 @@ test('vertices that the CPU cannot read any more, or never could, throw and rece
   benchPage: page,
 }) => {
   const frames = await page.evaluate(() => {
-    const { Bench, compareImages, three } = window.testPage;
+    const { Bench, compareImages, isSlice, three } = window.testPage;
     const bench = new Bench(96, 64);
     bench.webgl.shadowMap.enabled = true;
     const gl = bench.webgl.getContext();
@@ -62,6 +62,8 @@ test('vertices that the CPU cannot read any more, or never could, throw and rece
     for (const technique of ['forward-single-pass', 'deferred', 'forward'] as const) {
       for (let i = 0; i < 4; i++) {
         casters.forEach((caster) => (caster.rotation.y += 0.3));
+        // the knot alone is 168,000 triangles, drawn for two maps and the picture, by both renderers
+        if (isSlice && i % 3 > 0) continue;
         const image = bench.byTechnique(technique, scene, camera);
         const { psnr } = compareImages(bench.stock(scene, camera), image);
         results.push({ name: `${technique} ${i}`, psnr, drawn: bench.farol.info.shadows.drawn });

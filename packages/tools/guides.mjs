@@ -23,6 +23,7 @@ export const guides = {
     canvas: 'Canvas, size and targets',
     effects: 'Effects and bloom',
     'volumetric-fog': 'Fog that lights light',
+    views: 'Views of what a frame is made of',
     'many-objects': 'Many objects',
     surfaces: 'Surfaces of microshaders',
     'frame-budget': 'A frame budget',

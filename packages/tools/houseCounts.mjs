@@ -9,7 +9,7 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 43,
-  lines: 192_000,
+  lines: 193_250,
 };
 
 /** First words by which a docblock hides its noun. */

@@ -6,6 +6,7 @@ import { type EffectEntry, effects } from '@farol/renderer/effects';
 import { languageGaps } from '@farol/tools/languageGaps';
 import { expect, test } from 'vitest';
 import { sourceFiles } from '@farol/tools/sourceFiles';
+import { viewProblems } from '@farol/tools/viewProblems';
 import { propertyTexts, tableOf, textsOf } from '@farol/tools/texts';
 import { actions } from './actions';
 import { englishViewLabel } from './actions/display';
@@ -117,6 +118,8 @@ function otherTexts(): string[] {
     ...ofFields(Object.fromEntries(settings)).filter((text) => !ofEntries.has(text)),
     ...ofFields(materialAssetFields),
     ...views.map(englishViewLabel),
+    ...below('packages/renderer/src/views').flatMap(([path, source]) => propertyTexts(path, source, 'label')),
+    ...viewProblems(),
     ...below('packages/engine/src')
       .filter(([path]) => !ownFiles.has(path))
       .flatMap(([path, source]) => propertyTexts(path, source, 'help', 'label')),

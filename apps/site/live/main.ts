@@ -6,7 +6,8 @@
  * a promise: `window.live` is fulfilled with what it exports. `still` holds the page's clock at so many seconds: see
  * still/StillClock.ts.
  */
-import { type LiveModule, startLive } from './startLive';
+import type { LiveModule } from './LiveModule';
+import { startLive } from './startLive';
 
 declare global {
   interface Window {

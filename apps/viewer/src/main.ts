@@ -60,9 +60,14 @@ function start(): void {
     help = new HelpPanel(parent, known);
   };
   let menu = new ViewerMenu(viewer, speak);
+  let lacked = '';
   viewer.app.onFrame(() => {
     if (viewer.app.running) menu.statistics.frameDrawn(viewer.farol.info, performance.now());
     else menu.statistics.show(viewer.farol.info, null);
+    const lacking = viewer.farol.info.view?.problem ?? '';
+    if (lacking === lacked) return;
+    lacked = lacking;
+    viewer.messages.show('view', t(lacking));
   });
   let help = new HelpPanel(parent, known);
   new StoppedFlight(viewer);

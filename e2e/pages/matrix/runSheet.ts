@@ -32,6 +32,8 @@ export interface SheetResult {
   readonly results: CaseResult[];
   /** Cases that stock three does not show: they would test nothing. */
   readonly unseen: string[];
+  /** All cases of the sheet, also those that are not drawn. */
+  readonly known: string[];
 }
 
 /** Bench of all sheets of a test: programs that one compiled need not be compiled for the next. */
@@ -47,19 +49,28 @@ function makeBench(): Bench {
 }
 
 /** A sheet of cases, and the bench that all sheets share, sized for it. */
-async function openSheet(name: keyof typeof sheets) {
+async function openSheet(name: keyof typeof sheets, every = 1) {
   const listed: Cases | (() => Promise<Cases>) = sheets[name];
-  const cases = typeof listed === 'function' ? await listed() : listed;
+  const all = typeof listed === 'function' ? await listed() : listed;
+  const cases: Cases = Object.fromEntries(Object.entries(all).filter((_, index) => index % every === 0));
   const { width, height } = sheetSize(cases);
   const bench = (sharedBench ??= makeBench());
   bench.setSize(width, height);
   const kit = { environment: bench.environment() };
-  return { bench, cases, kit, sheet: new Sheet(cases, kit) };
+  return { bench, cases, kit, known: Object.keys(all), sheet: new Sheet(cases, kit) };
 }
 
-/** Draws all cases of a sheet by stock three and by each technique. */
-export async function runSheet(name: keyof typeof sheets, techniques: readonly TechniqueName[]): Promise<SheetResult> {
-  const { bench, cases, kit, sheet } = await openSheet(name);
+/**
+ * Draws the cases of a sheet by stock three and by each technique.
+ *
+ * @param every - draws the first of each so many cases; default all
+ */
+export async function runSheet(
+  name: keyof typeof sheets,
+  techniques: readonly TechniqueName[],
+  every = 1,
+): Promise<SheetResult> {
+  const { bench, cases, kit, known, sheet } = await openSheet(name, every);
   const empty = new Sheet(Object.fromEntries(Object.keys(cases).map((key) => [key, () => new Group()])), kit);
   const nothing = bench.stock(empty.scene, empty.camera);
   const stock = bench.stock(sheet.scene, sheet.camera);
@@ -69,7 +80,7 @@ export async function runSheet(name: keyof typeof sheets, techniques: readonly T
       .compare(stock, bench.byTechnique(technique, sheet.scene, sheet.camera))
       .map(({ name: key, ...difference }) => ({ sheet: name, case: key, technique, ...difference })),
   );
-  return { results, unseen: unseen.map(({ name: key }) => key) };
+  return { results, unseen: unseen.map(({ name: key }) => key), known };
 }
 
 /** Draws all cases of a sheet by a technique with the quality 'lite', against 'full'. */

@@ -239,6 +239,8 @@ export const settings: Record<string, Setting> = {
     draw: ({ scene }, render) => render(scene, ortho()),
   },
   'canvas through a buffer of half floats': {
+    // a context of its own; antialiasOption.spec.ts has such a buffer too
+    inVerify: true,
     renderer: { outputBufferType: THREE.HalfFloatType },
     canvas: true,
     draw: (stage, render) => mapped(stage, () => render(stage.scene, stage.camera)),

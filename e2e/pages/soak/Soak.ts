@@ -23,8 +23,8 @@ const SIZE = [160, 96] as const;
 const entries: Readonly<Record<EffectName, EffectEntry>> = effects;
 const effectClasses = await loadEffects();
 
-/** Effects of a picture that is the same whatever was drawn before: neither TAA nor fog, which join frames. */
-const still = (Object.keys(effects) as EffectName[]).filter((name) => (entries[name].stillFrames ?? 1) === 1);
+/** Effects that stand alone. What joins frames, such as fog, begins anew before pictures are compared. */
+const alone = (Object.keys(effects) as EffectName[]).filter((name) => entries[name].group === undefined);
 
 /** Techniques that ambient occlusion works with. */
 const knowsDepth: ReadonlySet<string> = new Set([
@@ -192,6 +192,7 @@ export class Soak {
     this.scene = scene;
     this.camera = camera;
     this.resize(this.width, this.height);
+    this.applyEffects();
     return anew ? `${name} anew` : name;
   }
 
@@ -207,7 +208,7 @@ export class Soak {
   }
 
   chooseEffects(): string {
-    const names = still.filter((name) => entries[name].group === undefined && this.random() < 0.3);
+    const names = alone.filter(() => this.random() < 0.3);
     const smoothing = (['smaa', 'edges', 'taa', null, null] as const)[Math.floor(this.random() * 5)];
     this.setEffects(smoothing ? [...names, smoothing] : names);
     this.draw();
@@ -242,10 +243,13 @@ export class Soak {
     this.applyEffects();
   }
 
-  /** Uses the chosen effects, less those that the technique says it has no use for. */
+  /** Uses the chosen effects, less those that say that the technique or the camera has no use for them. */
   applyEffects(): void {
     const { technique } = this.farol;
-    this.chosen = this.chosen.filter((name) => name !== 'ambient-occlusion' || knowsDepth.has(technique));
+    const isFlat = !(this.camera instanceof THREE.PerspectiveCamera);
+    this.chosen = this.chosen
+      .filter((name) => name !== 'ambient-occlusion' || knowsDepth.has(technique))
+      .filter((name) => name !== 'volumetric-fog' || !isFlat);
     this.farol.effects = this.chosen.map((name) => {
       let effect = this.made.get(name);
       if (!effect) this.made.set(name, (effect = new effectClasses[name]()));
@@ -260,6 +264,11 @@ export class Soak {
     fresh.lightLayers = farol.lightLayers;
     const own = this.chosen.map((name) => new effectClasses[name]());
     fresh.effects = own;
+    // both join as many frames from here on, and see the same noise
+    for (const effect of [...farol.effects, ...own]) {
+      effect.reset?.();
+      if ('time' in effect) effect.time = 0;
+    }
     // effects and shadow maps may need a frame before theirs is whole
     for (let i = 0; i < 2; i++) {
       this.draw();

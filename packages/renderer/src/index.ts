@@ -2,6 +2,7 @@ export { FarolRenderer } from './renderer/FarolRenderer';
 export type { FarolEvents, FarolOptions } from './renderer/FarolOptions';
 export { techniques, type TechniqueName } from './techniques';
 export { views, type View } from './frame/views';
+export type { ViewInfo, ViewTile } from './frame/ViewInfo';
 export type { FarolEffect } from './frame/FarolEffect';
 export type { BudgetInfo, BudgetSource, FrameBudget } from './renderer/FrameBudget';
 export type { FarolInfo, PassInfo } from './renderer/FarolInfo';

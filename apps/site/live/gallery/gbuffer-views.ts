@@ -92,6 +92,9 @@ select.append(...views.map((view) => new Option(view)));
 select.value = farol.view;
 select.addEventListener('change', () => (farol.view = select.value as View));
 panel.append(select);
+// what a view shows is not in every frame: motion, for one, needs TAA
+const lacking = document.createElement('p');
+panel.append(lacking);
 document.body.append(panel);
 
 function resize(): void {
@@ -110,6 +113,7 @@ webgl.setAnimationLoop((milliseconds) => {
     light.position.set((1 + (i % 4)) * Math.cos(angle), 0.4 + 0.4 * (i % 5), (1 + (i % 4)) * Math.sin(angle));
   }
   farol.render(scene, camera);
+  lacking.textContent = farol.info.view?.problem ?? '';
 });
 
 export { camera, farol, scene, webgl };

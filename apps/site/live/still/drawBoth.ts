@@ -4,7 +4,7 @@ import { setShading } from '@farol/renderer';
 import { getSurfaces, setSurface } from '@farol/renderer/surfaces';
 import { FloatType, type Light, type Material, type Mesh, type Object3D, WebGLRenderTarget } from 'three';
 import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
-import type { LiveModule } from '../startLive';
+import type { LiveModule } from '../LiveModule';
 import type { StillClock } from './StillClock';
 
 /** Lights of stock three's that fit into its uniforms, and shadow maps that fit into its texture units. */

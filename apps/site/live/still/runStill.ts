@@ -1,4 +1,4 @@
-import type { LiveModule } from '../startLive';
+import type { LiveModule } from '../LiveModule';
 import type { StillClock } from './StillClock';
 
 /** Draws so many frames of a module, each a step (s) after the one before, once all of its code is there. */

@@ -2,7 +2,7 @@
  * Runs another worker, whose address is this one's name, with a clock that stands still. Its global `live` has the exports
  * of a live module. The first message brings the port by which the page asks.
  */
-import type { LiveModule } from '../startLive';
+import type { LiveModule } from '../LiveModule';
 import { drawBoth } from './drawBoth';
 import { runStill } from './runStill';
 import { StillClock } from './StillClock';

@@ -4,6 +4,7 @@ import { techniques, views } from '@farol/renderer';
 import { scenes } from '@farol/scenes';
 import { languageGaps } from '@farol/tools/languageGaps';
 import { sourceFiles } from '@farol/tools/sourceFiles';
+import { viewProblems } from '@farol/tools/viewProblems';
 import { propertyTexts, textsOf } from '@farol/tools/texts';
 import { expect, test } from 'vitest';
 import { modelParameters } from '../model/modelScene';
@@ -37,6 +38,7 @@ function otherTexts(): string[] {
     ...ofFields(modelParameters),
     ...ofFields(effectParameters),
     ...views.map(capital),
+    ...viewProblems(),
     ...['Automatic', 'Full', 'Lite', 'On touch screens', 'On', 'Off ## budget'],
     ...sources
       .filter(([path]) => path.startsWith('packages/renderer/src/renderer/'))

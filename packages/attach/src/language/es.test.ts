@@ -2,6 +2,7 @@ import { englishLabelOfField } from '@farol/editing';
 import { techniques } from '@farol/renderer';
 import { languageGaps } from '@farol/tools/languageGaps';
 import { sourceFiles } from '@farol/tools/sourceFiles';
+import { viewProblems } from '@farol/tools/viewProblems';
 import { textsOf } from '@farol/tools/texts';
 import { expect, test } from 'vitest';
 import { cameraProperties } from '../fields/cameraProperties';
@@ -24,6 +25,7 @@ function otherTexts(): string[] {
   );
   const texts = [
     ...sources.flatMap(([path, source]) => textsOf(path, source).texts),
+    ...viewProblems(),
     ...properties.flatMap(({ name, field }) => [
       englishLabelOfField(name, field),
       field.help,

@@ -14,6 +14,7 @@ export class FramePanel {
   private readonly timing = element('input', { id: 'timing', type: 'checkbox' });
   private readonly menus: HTMLElement;
   private readonly figures = element('p', { className: 'figures' });
+  private readonly lacking = element('p', { role: 'status' });
   private readonly rows = element('tbody');
   private readonly table: HTMLElement;
   private readonly problem = element('p', { role: 'alert' });
@@ -39,7 +40,15 @@ export class FramePanel {
     this.element = element(
       'details',
       { open: true, className: 'frame' },
-      ...[element('summary', {}, t('Frame')), this.load, this.menus, this.problem, this.figures, this.table],
+      ...[
+        element('summary', {}, t('Frame')),
+        this.load,
+        this.menus,
+        this.problem,
+        this.lacking,
+        this.figures,
+        this.table,
+      ],
     );
     this.load.addEventListener('click', () => void this.choose('auto'));
     this.technique.addEventListener('change', () => void this.choose(this.technique.value as Drawer));
@@ -73,6 +82,8 @@ export class FramePanel {
         })
       : t('{rate} frames/s, {calls} draws, {triangles} triangles', figures);
     if (this.figures.textContent !== text) this.figures.textContent = text;
+    const lacking = t(farol?.info.view?.problem ?? '');
+    if (this.lacking.textContent !== lacking) this.lacking.textContent = lacking;
     if (!farol) return;
     const milliseconds = (value: number | null) => (value === null ? '–' : value.toFixed(2));
     const cells = farol.info.passes.map(({ name, drawCalls, cpuMs, gpuMs }) => [

@@ -17,6 +17,7 @@ import type { GameObject } from './GameObject';
 import type { SceneChange } from './SceneChange';
 import type { SceneSystem, SceneSystemClass } from './SceneSystem';
 import { SceneIndex } from './SceneIndex';
+import type { SceneOptions } from './SceneOptions';
 import type { ScenePicture } from './ScenePicture';
 import { ScenePointer } from './ScenePointer';
 import { scriptClasses } from './scriptClasses';
@@ -26,15 +27,6 @@ import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
 import { SceneRoot } from './SceneRoot';
 import { SceneSettings } from '../settings/SceneSettings';
-
-/** Options of the constructor of Scene. */
-export interface SceneOptions {
-  name?: string;
-  /** Library of meshes and textures. When absent, the scene makes one and disposes of it with itself. */
-  assets?: AssetLibrary;
-  /** Known types of components; the built-in ones when absent. */
-  registry?: ComponentRegistry;
-}
 
 /** Tree of GameObjects drawn as one three scene. Any number of scenes may exist. */
 export class Scene implements GameObjectContainer {

@@ -63,7 +63,7 @@ export interface LateDraws {
   makeNodes(): NodeDraws | null;
 }
 
-/** Finds which lights light all, or none, of tiles of the screen. */
+/** Finds which lights light all, or none, of tiles of the screen. ShadowMaps alone does. */
 export interface TileShadows {
   /** @param gbuffer - of the frame, whose light grid is there too */
   findTileShadows(frame: Frame, gbuffer: GBuffer): void;

@@ -2,6 +2,7 @@ import type { Texture, WebGLRenderTarget } from 'three';
 import type { GBuffer } from '../gbuffer/GBuffer';
 import type { LightBuffer } from './LightBuffer';
 import type { ThinGBuffer } from './ThinGBuffer';
+import type { FroxelBuffer, MotionBuffer, OcclusionBuffer } from './EffectBuffers';
 import type { AccumulatedLight } from './AccumulatedLight';
 import type { LightLists } from './LightLists';
 import type { RenderItem } from './RenderItem';
@@ -32,6 +33,12 @@ export interface Resources {
   'thin-gbuffer': ThinGBuffer;
   /** The light that reaches each texel of the thin G-buffer. */
   'light-buffer': LightBuffer;
+  /** Ambient occlusion; written by the effect AmbientOcclusion, once it has found it. */
+  occlusion: OcclusionBuffer;
+  /** Motion of pixels; written by the effect TAA when the picture is finished. */
+  motion: MotionBuffer;
+  /** Froxels of fog; written by the effect VolumetricFog before anything is drawn. */
+  froxels: FroxelBuffer;
   /** Number of decals on the surfaces of the G-buffer. */
   decals: number;
   /** The transparent items, which the pass that writes this lays over the target. */

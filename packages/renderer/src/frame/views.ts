@@ -1,4 +1,7 @@
-/** Values of `FarolRenderer.view`. */
+/**
+ * Values of `FarolRenderer.view`. Those after 'grid' show a buffer that an effect, a technique or lights make; where the frame
+ * has none, the final picture stays, and `FarolInfo.view` names the mend.
+ */
 export const views = [
   'final',
   'albedo',
@@ -12,6 +15,15 @@ export const views = [
   'light-count',
   'overdraw',
   'grid',
+  'ambient-occlusion',
+  'motion',
+  'reactive-mask',
+  'light-buffer',
+  'shadow-atlas',
+  'image-atlas',
+  'fog-light',
+  'fog-transmittance',
+  'froxels',
 ] as const;
 
 /** Names of the views: the final picture, or a part of how it is made. */
@@ -29,5 +41,11 @@ export function isCountView(view: View): boolean {
 
 /** Whether a view shows surface properties, equal in every technique: drawn from a G-buffer of its own. */
 export function isSurfaceView(view: View): boolean {
-  return view !== 'final' && view !== 'lighting' && view !== 'grid' && !isCountView(view);
+  const index = views.indexOf(view);
+  return index > 0 && index < views.indexOf('lighting');
+}
+
+/** Whether a view lies over the finished picture, since it shows a buffer of that frame. */
+export function isBufferView(view: View): boolean {
+  return views.indexOf(view) > views.indexOf('grid');
 }

@@ -1,3 +1,4 @@
+import type { ViewInfo } from '../frame/ViewInfo';
 import type { BudgetInfo } from './FrameBudget';
 
 /** Draws and times of one pass in the last frame. */
@@ -52,6 +53,8 @@ export interface FarolInfo {
   gpuMs: number | null;
   /** Scale of the picture and why, by `FarolOptions.budget`; null without one. */
   budget: Readonly<BudgetInfo> | null;
+  /** Parts of a view of a buffer, or why it cannot be shown; null for the other views, and while their code is being fetched. */
+  view: ViewInfo | null;
   /**
    * Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw.
    */

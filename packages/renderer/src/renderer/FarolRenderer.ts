@@ -74,8 +74,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private viewName: View = 'final';
   private xr: XRDraws | null = null;
   private disposed = false;
-  /** True within `render`: a nested `render`, called by a host's callback, is then drawn by three. */
-  private isDrawing = false;
+  private isDrawing = false; // within `render`: a nested one, of a host's callback, is drawn by three
   private session: Session | null = null; // of `@farol/renderer/pixel-lighting`, while that draws
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
@@ -320,7 +319,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
    * light nothing), anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials (three draws the scene),
-   * the views of surfaces and overdraw (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (the
+   * the views of surfaces, overdraw and buffers (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (the
    * one that drew the scene last draws, or one of these two), GPU times, frame budgets, warming programs up ('auto' changes unprepared).
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched

@@ -39,6 +39,7 @@ export class InfoRecorder {
       cpuMs: 0,
       gpuMs: null,
       budget: null,
+      view: null,
       lights: { total: 0, visible: 0 },
       shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
       programs: 0,

@@ -1,5 +1,5 @@
 import type { ViewPasses } from '../views';
-import { isTechniqueView, type View } from '../frame/views';
+import { isBufferView, isTechniqueView, type View } from '../frame/views';
 import type { MicroShaderRegistry } from '../microshaders';
 import { viewCode } from './lazyCode';
 
@@ -7,14 +7,19 @@ import { viewCode } from './lazyCode';
 export class LazyViews {
   /** Passes of the views that techniques do not draw; null until their code is loaded. */
   passes: ViewPasses | null = null;
+  /** View of a buffer, which lies over the final picture; null for none. */
+  buffer: View | null = null;
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}
 
-  /** @returns the view to draw: the one asked for, or the final picture while its code is not loaded */
+  /** @returns the view to draw: the one asked for, or the final picture for `buffer` and while code is not loaded */
   available(view: View): View {
+    this.buffer = null;
     if (isTechniqueView(view)) return view;
     this.passes ??= viewCode.use(({ makeViewPasses }) => makeViewPasses(this.microshaders));
-    return this.passes === null ? 'final' : view;
+    if (this.passes === null || !isBufferView(view)) return this.passes === null ? 'final' : view;
+    this.buffer = view;
+    return 'final';
   }
 
   /** Bytes of the views' targets. */

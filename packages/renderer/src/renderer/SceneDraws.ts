@@ -150,6 +150,7 @@ export class SceneDraws {
   private drawFrame(): void {
     const { frame, picker, set, effects } = this;
     this.sceneView.dropTransmissive();
+    this.recorder.info.view = null;
     this.setBackground();
     if (isSurfaceView(frame.view)) {
       this.showSurface();
@@ -163,6 +164,9 @@ export class SceneDraws {
     if (overdraw !== null && !set.showsOverdraw(picker.active)) overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
     picker.warmUp(this.sceneView.chooser, frame, this);
+    const { buffer, passes: shown } = this.views;
+    if (buffer !== null && frame.session === null)
+      this.run('view', () => (this.recorder.info.view = shown!.buffers.show(frame, buffer)));
     frame.bindTarget();
   }
 

@@ -10,7 +10,7 @@ export const shadowCode = new Lazy('shadows', () => import('../shadows'), 'three
 /** Area lights: rectangles, discs and tubes. */
 export const areaCode = new Lazy('area-lights', () => import('../lighting/area-lights'), 'three draws rectangles');
 
-/** The views of surfaces and overdraw. */
+/** The views of surfaces, overdraw and buffers. */
 export const viewCode = new Lazy('views', () => import('../views'), 'the final picture is shown');
 
 /** Lights as data: LightField. Their lists are those of tiles. */

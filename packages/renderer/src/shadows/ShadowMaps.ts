@@ -70,12 +70,12 @@ export class ShadowMaps implements LightMasks, TileShadows {
   readonly tiles = new ShadowTiles();
   /** Draws the maps at the moment when three draws its own; set by `makeShadowMaps`. */
   calls!: ShadowMapCalls;
-  private readonly slots: LightSlots;
+  readonly slots: LightSlots;
   private readonly samplers: ImageSamplers;
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
   /** Scenes whose shadow maps are in the atlas, the longest unused of them released first. */
   private readonly scenes = new RecentlyUsed<Object3D>((root) => this.releaseScene(root));
-  private readonly atlases: ShadowAtlases;
+  readonly atlases: ShadowAtlases;
   private readonly planned: PlannedDraws;
   private readonly draws: ShadowMapDraws;
   private readonly hostMaps: HostShadowMaps;
@@ -83,7 +83,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private readonly masks: MaskRecords;
   /** `shadowMap.type` of the frame. */
   private type = -1;
-  private isVariance = false;
+  isVariance = false;
   private frame = 0;
   /** Size of the frame's picture (pixels). */
   private picture: PictureSize & Pick<Frame, 'hasMedia'> = { width: 1, height: 1, hasMedia: false };

@@ -85,6 +85,19 @@ export class SurfaceViewPass {
     }
   }
 
+  /** Fills the G-buffer in a frame with effects, which change neither its twins nor its attachments. */
+  fillPlainly(frame: Frame): GBuffer {
+    const { adapters, gbufferExtras } = frame;
+    frame.adapters = [];
+    frame.gbufferExtras = [];
+    try {
+      return this.fill(frame);
+    } finally {
+      frame.adapters = adapters;
+      frame.gbufferExtras = gbufferExtras;
+    }
+  }
+
   dispose(): void {
     this.target.dispose();
     this.surface.dispose();

@@ -1,3 +1,9 @@
 // The microshaders of this folder, by name.
+export { default as atlasView } from './atlasView.glsl?raw';
 export { default as countView } from './countView.glsl?raw';
+export { default as fogView } from './fogView.glsl?raw';
+export { default as froxelView } from './froxelView.glsl?raw';
+export { default as lightBufferView } from './lightBufferView.glsl?raw';
+export { default as motionView } from './motionView.glsl?raw';
+export { default as pixelView } from './pixelView.glsl?raw';
 export { default as surfaceView } from './surfaceView.glsl?raw';

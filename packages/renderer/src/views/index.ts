@@ -1,5 +1,6 @@
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import type { MicroShaderRegistry } from '../microshaders';
+import { BufferViews } from './buffers/BufferViews';
 import * as chunks from './chunks';
 import { OverdrawPass } from './OverdrawPass';
 import { SurfaceViewPass } from './SurfaceViewPass';
@@ -10,6 +11,7 @@ export const microShaders = { ...chunks };
 export interface ViewPasses {
   readonly overdraw: OverdrawPass;
   readonly surfaceView: SurfaceViewPass;
+  readonly buffers: BufferViews;
   /** Bytes of the targets. */
   readonly bytes: number;
   dispose(): void;
@@ -20,15 +22,18 @@ export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
   addMicroShaders(registry, 'views', microShaders);
   const overdraw = new OverdrawPass();
   const surfaceView = new SurfaceViewPass();
+  const buffers = new BufferViews(surfaceView);
   return {
     overdraw,
     surfaceView,
+    buffers,
     get bytes() {
       return overdraw.bytes + surfaceView.bytes;
     },
     dispose() {
       overdraw.dispose();
       surfaceView.dispose();
+      buffers.dispose();
     },
   };
 }

@@ -7,7 +7,7 @@ export const library: Texts = {
   Props: 'Objetos',
   Tag: 'Etiqueta',
   Tags: 'Etiquetas',
-  'Any tag': 'Cualquier etiqueta',
+  'Any tag': 'Toda etiqueta',
   'The library does not have it any more.': 'La biblioteca ya no lo tiene.',
   '{name}: drag it into the picture, or click to add it': '{name}: arrástralo a la imagen o haz clic para añadirlo',
   'Search the library': 'Buscar en la biblioteca',

@@ -63,8 +63,8 @@ export const rendering: Texts = {
   Views: 'Vistas',
   'Everything that the frame is made of.': 'Todo de lo que se compone el fotograma.',
   'All views at once': 'Todas las vistas a la vez',
-  'Every view beside the others, in the viewport; a click on one shows it alone.':
-    'Cada vista junto a las otras, en la vista 3D; un clic muestra solo esa.',
+  'Views of surfaces, light and counts beside one another; a click on one shows it alone.':
+    'Vistas de superficies, luz y recuentos, unas junto a otras; un clic muestra solo esa.',
   'Heat map maximum': 'Máximo del mapa de calor',
   'Lights, or draws, a pixel at which light count and overdraw are red.':
     'Luces, o llamadas de dibujo, por píxel con los que el número de luces y el sobredibujado son rojos.',
@@ -116,6 +116,14 @@ export const rendering: Texts = {
   Lighting: 'Iluminación',
   'Light count': 'Número de luces',
   Overdraw: 'Sobredibujado',
+  Motion: 'Movimiento',
+  'Reactive mask': 'Máscara reactiva',
+  'Light buffer': 'Búfer de luz',
+  'Shadow atlas': 'Atlas de sombras',
+  'Image atlas': 'Atlas de imágenes',
+  'Fog light': 'Luz de la niebla',
+  'Fog transmittance': 'Transmitancia de la niebla',
+  Froxels: 'Fróxeles',
   'few lights over a pixel: a G-buffer costs more than it saves':
     'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
   'many lights over a pixel: each surface is lit once, by the list of its cluster':
@@ -125,6 +133,8 @@ export const rendering: Texts = {
   Vignette: 'Viñeta',
   'Tiled deferred shading that grows dark towards the edges: an example of a plugin.':
     'Diferido por tiles que se oscurece hacia los bordes: un ejemplo de complemento.',
+  'surfaces hide one another: depth is drawn first, so that each pixel is shaded once':
+    'unas superficies tapan a otras: primero se dibuja la profundidad, y cada píxel se ilumina una sola vez',
   'few lights: lists cost more than they save': 'casi ninguna luz: las listas costarían más de lo que ahorran',
   'What the effects cost': 'Lo que cuestan los efectos',
   Effect: 'Efecto',

@@ -20,7 +20,7 @@ export function ViewsSection(): ReactNode {
         <Toggle
           value={isOn}
           label={t('All views at once')}
-          description={t('Every view beside the others, in the viewport; a click on one shows it alone.')}
+          description={t('Views of surfaces, light and counts beside one another; a click on one shows it alone.')}
           onChange={(on) => editor.attempt(() => void (viewport.painter = on ? new ViewsPainter(viewport) : null))}
         />
       </div>

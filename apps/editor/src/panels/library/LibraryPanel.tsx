@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
+import { Fragment, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
 import { setDraggedAsset } from '../../files/dragAsset';
 import { dropOn } from '../../files/dropOn';
 import { type LibraryItem, libraryItems } from '../../files/library/libraryItems';
@@ -139,6 +139,8 @@ export function LibraryPanel(): ReactNode {
   // a tag that the group lacks filters nothing
   const tag = tags.includes(wanted) ? wanted : '';
   const items = inGroup.filter((item) => matches(item, search) && (tag === '' || item.tags.includes(tag)));
+  // under headings until something is looked for
+  const isWhole = filter === 'all' && tag === '' && search.trim() === '';
   const tagOptions = [{ value: '', label: t('Any tag') }, ...tags.map((value) => ({ value, label: value }))];
   const openFolder = async (): Promise<void> => {
     const { directoryOpen } = await import('browser-fs-access');
@@ -164,11 +166,16 @@ export function LibraryPanel(): ReactNode {
       </div>
       <div className="assets-body">
         {items.length === 0 && <p className="assets-empty">{t('Nothing of that name.')}</p>}
-        <ul className="assets-grid">
-          {items.map((item) => (
-            <li key={item.id}>
-              <LibraryCard item={item} />
-            </li>
+        <ul className="assets-grid library-grid">
+          {items.map((item, i) => (
+            <Fragment key={item.id}>
+              {isWhole && item.group !== items[i - 1]?.group && (
+                <li className="assets-heading">{groups().find(({ value }) => value === item.group)!.label}</li>
+              )}
+              <li>
+                <LibraryCard item={item} />
+              </li>
+            </Fragment>
           ))}
         </ul>
       </div>

@@ -8,6 +8,7 @@ import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { LateItems } from '../../ui/MenuButton';
 import { techniqueOptions } from '../../ui/techniqueOptions';
+import { viewOptions } from '../../ui/viewOptions';
 import type { Shading } from '../../viewport/shading/Shading';
 
 function entriesOf(editor: EditorApi): readonly MenuEntry[] {
@@ -22,7 +23,8 @@ function entriesOf(editor: EditorApi): readonly MenuEntry[] {
   const techniques = techniqueOptions(viewport.farol)
     .filter(({ value }) => value !== 'auto')
     .map(({ value, label, help }) => line(label, `by:${value}`, help));
-  return [...withoutTechniques, 'separator', ...techniques];
+  const views = viewOptions().map(({ value, label }) => line(label, `view:${value}`));
+  return [...withoutTechniques, { label: t('Debug view'), entries: views }, 'separator', ...techniques];
 }
 
 /** Menu of the active view's shading: without lights, the scene's technique, or another one. */

@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import { lazy, type ReactNode, Suspense, useLayoutEffect, useRef } from 'react';
 import { PanelBoundary } from '../../ui/PanelBoundary';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { viewOf } from '../../viewport/shading/Shading';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
 import { StatisticsOverlay } from './StatisticsOverlay';
@@ -15,10 +16,7 @@ const ScriptsBar = lazy(async () => ({ default: (await import('../play/ScriptsBa
 const QuadOverlay = lazy(async () => ({ default: (await import('./QuadOverlay')).QuadOverlay }));
 const ToolBox = lazy(async () => ({ default: (await import('./tools/ToolBox')).ToolBox }));
 const ParticleBox = lazy(async () => ({ default: (await import('./ParticleBox')).ParticleBox }));
-const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
-
-/** Debug views with a heat-map scale. */
-const counts: ReadonlySet<string> = new Set(['light-count', 'overdraw']);
+const ViewOverlay = lazy(async () => ({ default: (await import('../frame/ViewOverlay')).ViewOverlay }));
 
 /** The viewport panel. The canvas belongs to Viewport; React only provides its parent. */
 export function ViewportPanel(): ReactNode {
@@ -36,6 +34,7 @@ export function ViewportPanel(): ReactNode {
   }, [viewport]);
   const particles = viewport.parts.particles.part;
   const isGrid = viewport.painter?.isGrid ?? false;
+  const showsView = viewport.view !== 'final' || viewport.panes.list.some(({ shading }) => viewOf(shading));
   return (
     <section className="panel viewport" aria-label={t('Viewport')}>
       <div ref={place} className="viewport-place" />
@@ -52,7 +51,7 @@ export function ViewportPanel(): ReactNode {
           {viewport.painter && <PainterOverlay />}
           {simulation.state !== 'stopped' && <PlayFrame />}
           {scripts.question && scripts.areThere && <ScriptsBar />}
-          {counts.has(viewport.view) && !viewport.painter && <HeatScale />}
+          {showsView && !viewport.painter && <ViewOverlay />}
         </Suspense>
       </PanelBoundary>
     </section>

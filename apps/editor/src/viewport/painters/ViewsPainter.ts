@@ -4,13 +4,16 @@ import type { Painter } from '../Painter';
 import type { Viewport } from '../Viewport';
 import { gridCells } from './gridCells';
 
-/** Views in the grid. The final image is drawn last, so that the frame's statistics are those of a normal frame. */
-export const gridViews: readonly View[] = views.filter((view) => view !== 'grid');
+/**
+ * Views in the grid: those that every frame has, since techniques draw it without effects. The final image is drawn last, so that
+ * the frame's statistics are those of a normal frame.
+ */
+export const gridViews: readonly View[] = views.slice(0, views.indexOf('grid'));
 
 const whole = new Vector4();
 const clear = new Color();
 
-/** Shows all debug views of the frame in a grid. */
+/** Shows the debug views that every frame has in a grid. */
 export class ViewsPainter implements Painter {
   readonly drawsHelpers = false;
   readonly isGrid = true;

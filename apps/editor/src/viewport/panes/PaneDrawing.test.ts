@@ -11,7 +11,7 @@ it('draws grid, icons and handles over the scene, but not while it is played as 
     document: { scene: {} },
     panes: { list: [main], active: main, main },
     webgl: { getPixelRatio: () => 1 },
-    farol: { technique: 'auto', techniques: {} },
+    farol: { technique: 'auto', techniques: {}, view: 'final', info: { view: null } },
     picture: { draw() {} },
     gizmo: { update, isDragging: false },
     helpers: { render },

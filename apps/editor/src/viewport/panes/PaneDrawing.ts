@@ -1,5 +1,5 @@
 import type { Camera as CameraComponent, PictureRenderer, Scene } from '@farol/engine';
-import type { FarolRenderer, TechniqueName } from '@farol/renderer';
+import { type FarolRenderer, type TechniqueName, type View, views } from '@farol/renderer';
 import type { Camera, WebGLRenderer } from 'three';
 import type { Gizmo } from '../Gizmo';
 import type { Helpers } from '../Helpers';
@@ -7,7 +7,7 @@ import type { LateParts } from '../LateParts';
 import type { SceneStamps } from '../SceneStamps';
 import type { Painter } from '../Painter';
 import type { PlainShading } from '../shading/PlainShading';
-import { isPlain, techniqueOf } from '../shading/Shading';
+import { isPlain, techniqueOf, viewOf } from '../shading/Shading';
 import type { Panes } from './Panes';
 import type { ViewPane } from './ViewPane';
 
@@ -72,7 +72,15 @@ export class PaneDrawing {
     lookThrough?.setViewport(width, height);
     surface.stamps.draw(surface.document.scene.three, () => this.drawScene(pane, camera, lookThrough));
     gizmo.update(surface.raysOf(pane), surface.isPlayed);
-    if (!surface.isPlayed && surface.view !== 'grid' && (surface.painter?.drawsHelpers ?? true)) {
+    const view = isPlain(pane.shading) ? null : surface.farol.info.view;
+    // the next view overwrites it
+    pane.shown = view && { ...view, tiles: view.tiles.map((tile) => ({ ...tile })) };
+    if (
+      !surface.isPlayed &&
+      surface.view !== 'grid' &&
+      !view?.tiles.length &&
+      (surface.painter?.drawsHelpers ?? true)
+    ) {
       const { physics, lightHandles, particles } = surface.parts;
       physics.get()?.update(webgl.getPixelRatio());
       lightHandles.get()?.update(webgl.getPixelRatio());
@@ -93,15 +101,18 @@ export class PaneDrawing {
       this.plain!.render(scene.three, camera, shading);
       return;
     }
-    const { technique } = farol;
+    const { technique, view } = farol;
     const shadedBy = techniqueOf(shading);
+    const shownAs = viewOf(shading) as View | null;
     try {
+      if (shownAs !== null && views.includes(shownAs)) farol.view = shownAs;
       if (shadedBy !== null && Object.hasOwn(farol.techniques, shadedBy)) farol.technique = shadedBy as TechniqueName;
       // side views are for editing: no depth of field, bloom and the like
       if (painter === null && pane === panes.main) picture.draw(scene, camera, lookThrough);
       else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
     } finally {
       farol.technique = technique;
+      farol.view = view;
     }
   }
 

@@ -1,3 +1,4 @@
+import type { ViewInfo } from '@farol/renderer';
 import { EditorCamera } from '../EditorCamera';
 import type { Shading } from '../shading/Shading';
 import { type Bounds, paneSurface } from './paneSurface';
@@ -14,6 +15,8 @@ export interface PaneRectangle {
 export class ViewPane {
   rectangle: PaneRectangle = { x: 0, y: 0, width: 1, height: 1 };
   readonly editorCamera: EditorCamera;
+  /** `FarolInfo.view` of the last frame here; null for views of no buffer. */
+  shown: ViewInfo | null = null;
 
   /**
    * @param name - 'main' always exists, and can look through a camera of the scene

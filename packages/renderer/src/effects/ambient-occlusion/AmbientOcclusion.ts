@@ -10,6 +10,7 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
+import type { OcclusionBuffer } from '../../frame/EffectBuffers';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
 import { Lazy } from '../../frame/Lazy';
@@ -48,7 +49,7 @@ type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
  * left out, and a warning says so; as it is with a G-buffer on devices that draw to four buffers at once.
  * @see Jimenez, Wu, Pesce and Jarabo 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion
  */
-export class AmbientOcclusion implements FarolEffect {
+export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
   readonly name = 'ambient occlusion';
   readonly after = ['gbuffer', 'scene-depth'] as const;
   readonly needsSurfaces = true;
@@ -219,7 +220,14 @@ export class AmbientOcclusion implements FarolEffect {
     const result = filter.drawToOwn(frame, width, height);
     this.occlusion.farol_occlusionMap.value = result.texture;
     this.occlusion.farol_occlusionOffset.value.set(frame.viewport.x, frame.viewport.y);
+    frame.resources.put('occlusion', this);
     return result;
+  }
+
+  /** Open share of the sky in a frame that this has drawn; where the G-buffer's light alone was darkened, drawn by the call. */
+  openSky(frame: Frame): Texture {
+    const { share, use } = this;
+    return (use === 'accumulation' ? share.drawToOwn(frame, frame.width, frame.height) : share).texture as Texture;
   }
 
   private openPass(defines: Record<string, string>): FullscreenPass {

@@ -4,6 +4,7 @@ import { targetSizes } from '../../gpu/fitTarget';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import displayTransfer from '../../frame/displayTransfer.glsl?raw';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
+import type { MotionBuffer } from '../../frame/EffectBuffers';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import { RecentlyUsed } from '../../frame/RecentlyUsed';
 import { Picture } from '../Picture';
@@ -135,6 +136,10 @@ export class TAA implements FarolEffect {
       farol_isReactive: { value: [0, 0] },
     },
   });
+  private readonly buffer: { -readonly [Key in keyof MotionBuffer]: MotionBuffer[Key] } = {
+    uniforms: { ...this.jitterDepth, farol_hasPast: this.resolve.uniforms.farol_hasPast },
+    reactive: null,
+  };
   private readonly distances = new DistancePass();
   private shared: Picture | null = null;
   /** True from `begin` to `end`. If true at `begin`, an exception has ended the last frame. */
@@ -214,6 +219,8 @@ export class TAA implements FarolEffect {
     }
     picture.encoded = false;
     picture.end(frame);
+    this.buffer.reactive = now;
+    frame.resources.put('motion', this.buffer);
     this.open = false;
   }
 

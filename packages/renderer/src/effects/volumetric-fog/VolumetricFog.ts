@@ -1,6 +1,7 @@
-import { type Camera, Color, Vector2, Vector3, Vector4 } from 'three';
+import { type Camera, Color, type Data3DTexture, Vector2, Vector3, Vector4 } from 'three';
 import { drawBuffersOf, lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FullscreenPass } from '../../gpu/FullscreenPass';
+import type { FroxelBuffer } from '../../frame/EffectBuffers';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
 import { RecentlyUsed } from '../../frame/RecentlyUsed';
@@ -13,7 +14,7 @@ import { fogBackgroundPass, fogIntegratePass, fogLightsPass, fogScatterPass } fr
 import { FogHistory } from './FogHistory';
 import { FogMedium } from './FogMedium';
 import { foggedTwin, isFogged } from './foggedTwin';
-import { EXPONENT, fogQualities, type Froxels, sliceScale } from './froxels';
+import { EXPONENT, fogQualities, type Froxels, sliceDepth, sliceScale } from './froxels';
 import { FroxelTexture } from './FroxelTexture';
 import { halton } from '../antialiasing/halton';
 import mediaOn from './mediaOn.glsl?raw';
@@ -39,7 +40,7 @@ const near = (a: number, b: number): boolean => Math.abs(a - b) < 1e-6;
  * @see Wronski 2014, Volumetric Fog (SIGGRAPH, Advances in Real-Time Rendering); Hillaire 2015, Physically Based and Unified
  *   Volumetric Rendering in Frostbite
  */
-export class VolumetricFog implements FarolEffect {
+export class VolumetricFog implements FarolEffect, FroxelBuffer {
   readonly name = 'volumetric fog';
   readonly after = ['opaque'] as const;
   readonly lacks = lacksFloatTargets;
@@ -67,6 +68,8 @@ export class VolumetricFog implements FarolEffect {
   froxels: Froxels = fogQualities.medium;
   /** Frames in the mean while things move, 1 for none but the present one. Default 12. */
   frames = 12;
+  /** Froxels of the last frame, see `FroxelBuffer`; null before the first. */
+  scattered: Data3DTexture | null = null;
   private isOn = false;
   private isMade = false;
   private hasWarned = false;
@@ -165,6 +168,7 @@ export class VolumetricFog implements FarolEffect {
     this.scatter?.dispose();
     this.integrate?.dispose();
     this.scatter = this.integrate = null;
+    this.scattered = null;
     if (this.frame === null) return;
     this.frame.uniforms.farol_mediaSpace.value[7] = 0;
     this.frame.uniforms.farol_media.value = null;
@@ -176,6 +180,11 @@ export class VolumetricFog implements FarolEffect {
     const { uniforms } = this.background;
     uniforms.farol_farthest.value = isDepthReversed(frame.webgl) ? 0 : 1;
     this.background.draw(frame);
+  }
+
+  /** Depth (m) of a slice's edge, 0 (the eye) to the number of slices. */
+  depthOf(edge: number): number {
+    return sliceDepth(edge, this.froxels[2], this.distance);
   }
 
   /** Draws the frame's froxels; the target that is bound stays so. */
@@ -203,6 +212,8 @@ export class VolumetricFog implements FarolEffect {
     const integrate = (this.integrate ??= fogIntegratePass(grid, layers));
     integrate.uniforms.farol_froxels.value = history.now.texture;
     this.drawSlices(frame, integrate, integrated, size[2]);
+    this.scattered = history.now.texture;
+    frame.resources.put('froxels', this);
     history.advance(camera);
     uniforms.farol_media.value = integrated.texture;
     const space = uniforms.farol_mediaSpace.value;

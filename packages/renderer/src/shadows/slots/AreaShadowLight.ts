@@ -18,7 +18,8 @@ export class AreaShadowLight extends PointLight {
   /** Radius (m) of the area light, taken as a disc; decides how soft its shadows are. */
   size = 0;
 
-  private constructor() {
+  /** @param host - the area light */
+  private constructor(readonly host: RectAreaLight) {
     super();
     this.castShadow = true;
     this.shadow.camera.near = NEAR;
@@ -30,7 +31,7 @@ export class AreaShadowLight extends PointLight {
    */
   static follow(light: RectAreaLight, range: number): AreaShadowLight {
     let stand = stands.get(light);
-    if (stand === undefined) stands.set(light, (stand = new AreaShadowLight()));
+    if (stand === undefined) stands.set(light, (stand = new AreaShadowLight(light)));
     stand.matrixWorld.copy(light.matrixWorld);
     stand.distance = range;
     stand.layers.mask = light.layers.mask;

@@ -1,0 +1,139 @@
+import { t } from '@farol/editing';
+import { gameObjectOf } from '@farol/engine';
+import type { View, ViewInfo, ViewTile } from '@farol/renderer';
+import { type ReactNode, useEffect, useState, useSyncExternalStore } from 'react';
+import { viewLabel } from '../../actions/display';
+import { useEditor } from '../../ui/EditorContext';
+import type { ViewPane } from '../../viewport/panes/ViewPane';
+import { viewOf } from '../../viewport/shading/Shading';
+import type { Viewport } from '../../viewport/Viewport';
+import { HeatScale } from './HeatScale';
+import './overlay.css';
+import { viewMeanings } from './viewMeanings';
+import { viewMend } from './viewMend';
+
+/** Least width of a tile that has its name written in it (CSS pixels). */
+const NAMED = 44;
+
+const metres = (distance: number): string => distance.toPrecision(3).replace(/\.?0+$/, '');
+
+const lightName = ({ light }: ViewTile): string => gameObjectOf(light)?.name ?? '';
+
+/** Name of a tile, with its light's. */
+function tileName(tile: ViewTile): string {
+  const { label, number, count, near, far } = tile;
+  const text = t(label, { number, count, near: metres(near), far: metres(far) });
+  const name = lightName(tile);
+  return name ? `${name}: ${text}` : text;
+}
+
+/** Text of a tile itself: its light's name at the first face, the number of a slice, or what it holds. */
+function shortName(tile: ViewTile): string {
+  if (tile.light) return tile.number === 1 ? lightName(tile) : '';
+  return tile.count > 1 ? String(tile.number) : t(tile.label);
+}
+
+const viewIn = (viewport: Viewport, { shading }: ViewPane): View => (viewOf(shading) ?? viewport.view) as View;
+
+/** All that the overlay shows, as one text, by which a change is seen. */
+const textOf = (viewport: Viewport): string =>
+  JSON.stringify(
+    viewport.panes.list.map((pane) => [
+      viewIn(viewport, pane),
+      pane.rectangle,
+      pane.shown?.problem,
+      pane.shown?.tiles.map((tile) => [tile.x, tile.y, tile.width, tile.height, tileName(tile)]),
+    ]),
+  );
+
+/** Legend of debug views, in each view of the viewport: scales, names of tiles, and how a buffer that is not there is made. */
+export function ViewOverlay(): ReactNode {
+  const { viewport } = useEditor();
+  useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));
+  return viewport.panes.list.map((pane) => {
+    const { x, y, width, height } = pane.rectangle;
+    const view = viewIn(viewport, pane);
+    const isCount = view === 'light-count' || view === 'overdraw';
+    return (
+      <div key={pane.name} className="pane-overlay" style={{ left: x, top: y, width, height }}>
+        {isCount && <HeatScale view={view} />}
+        {pane.shown?.problem && <Lacking view={view} problem={pane.shown.problem} />}
+        {pane.shown && !pane.shown.problem && <BufferLegend pane={pane} info={pane.shown} />}
+      </div>
+    );
+  });
+}
+
+/** Sentence on a buffer that the frame does not have, and a button that makes it. */
+function Lacking({ view, problem }: { readonly view: View; readonly problem: string }): ReactNode {
+  const mend = viewMend(useEditor(), view);
+  return (
+    <div className="view-lacking" role="status">
+      <p>{t(problem)}</p>
+      {mend && (
+        <button type="button" className="button" onClick={mend.run}>
+          {mend.label}
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** Names of a view's tiles, and what the view shows; the tile under the pointer is named in full. */
+function BufferLegend({ pane, info }: { readonly pane: ViewPane; readonly info: ViewInfo }): ReactNode {
+  const { viewport } = useEditor();
+  const [pointer, setPointer] = useState<readonly [number, number] | null>(null);
+  useEffect(() => {
+    const { canvas } = viewport;
+    const moved = ({ clientX, clientY }: PointerEvent): void => {
+      const { left, top, width, height } = pane.bounds;
+      setPointer([(clientX - left) / width, (clientY - top) / height]);
+    };
+    const left = (): void => setPointer(null);
+    canvas.addEventListener('pointermove', moved);
+    canvas.addEventListener('pointerdown', moved);
+    canvas.addEventListener('pointerleave', left);
+    return () => {
+      canvas.removeEventListener('pointermove', moved);
+      canvas.removeEventListener('pointerdown', moved);
+      canvas.removeEventListener('pointerleave', left);
+    };
+  }, [viewport, pane]);
+  const [x, y] = pointer ?? [-1, -1];
+  const under = info.tiles.find(
+    (tile) => x >= tile.x && y >= tile.y && x < tile.x + tile.width && y < tile.y + tile.height,
+  );
+  const name = viewLabel(info.view);
+  const { width } = pane.rectangle;
+  return (
+    <>
+      {info.tiles.map((tile, i) => {
+        const place = { left: `${100 * tile.x}%`, top: `${100 * tile.y}%`, width: `${100 * tile.width}%` };
+        return (
+          // oxlint-disable-next-line react/no-array-index-key -- tiles have fixed places
+          <div
+            key={i}
+            className="view-tile"
+            style={{ ...place, height: `${100 * tile.height}%` }}
+            data-under={tile === under || undefined}
+          >
+            {tile.width * width >= NAMED && <span>{shortName(tile)}</span>}
+          </div>
+        );
+      })}
+      <figure className="heat-scale buffer-legend" aria-label={name}>
+        <figcaption>{name}</figcaption>
+        {viewMeanings[info.view]?.()}
+        {info.fullMotion > 0 && (
+          <div className="motion-scale">
+            <div className="motion-wheel" />
+            {t('Full colour: {pixels} pixels a frame and more', { pixels: info.fullMotion })}
+          </div>
+        )}
+        {info.tiles.length > 0 && (
+          <div className="view-under">{under ? tileName(under) : t('Point at a part to see what it is.')}</div>
+        )}
+      </figure>
+    </>
+  );
+}

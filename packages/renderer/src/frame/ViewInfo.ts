@@ -1,0 +1,38 @@
+import type { Light } from 'three';
+import type { View } from './views';
+
+/** A rectangle of a view that shows several maps, slices or sums beside one another. */
+export interface ViewTile {
+  /** Left edge, as a share of the view's width. */
+  x: number;
+  /** Upper edge, as a share of the view's height, from above. */
+  y: number;
+  /** Share of the view's width. */
+  width: number;
+  /** Share of the view's height. */
+  height: number;
+  /** English name, in which `{number}`, `{count}`, `{near}` and `{far}` stand for the values below. */
+  label: string;
+  /** Index of the face, cascade or slice, from 1. */
+  number: number;
+  /** Faces, cascades or slices in all. */
+  count: number;
+  /** Distance (m) that is shown black, or at which a slice begins; 0 where there is none. */
+  near: number;
+  /** Distance (m) that is shown white, or at which a slice ends; 0 where there is none. */
+  far: number;
+  /** Light that the tile belongs to; null where it belongs to none. */
+  light: Light | null;
+}
+
+/** A view of a buffer in the last frame: its parts and scale, or what the frame lacks for it. */
+export interface ViewInfo {
+  /** View that is told of. */
+  view: View;
+  /** Sentence that says what the frame lacks, and the mend; the final picture is shown then. Null while the buffer is shown. */
+  problem: string | null;
+  /** Motion (pixels a frame) that is shown in full brightness; 0 in other views. */
+  fullMotion: number;
+  /** Parts of the view, if it has some. The same objects every frame: read, do not keep. */
+  tiles: readonly ViewTile[];
+}

@@ -1,0 +1,19 @@
+import type { Frame } from '../../frame/Frame';
+import type { ViewInfo } from '../../frame/ViewInfo';
+import type { View } from '../../frame/views';
+
+/** A view of a buffer that an effect, a technique or lights make. */
+export interface BufferView {
+  /**
+   * Draws the buffer over the frame's viewport, and fills `info`.
+   * @returns null, or a sentence that says what the frame lacks, and the mend
+   */
+  show(frame: Frame, info: ShownView): string | null;
+  dispose(): void;
+}
+
+/** A `ViewInfo` as views write it. */
+export interface ShownView extends ViewInfo {
+  view: View;
+  fullMotion: number;
+}

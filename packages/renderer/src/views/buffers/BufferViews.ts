@@ -1,0 +1,73 @@
+import type { Frame } from '../../frame/Frame';
+import { Lazy } from '../../frame/Lazy';
+import type { ViewInfo } from '../../frame/ViewInfo';
+import type { View } from '../../frame/views';
+import type { SurfaceViewPass } from '../SurfaceViewPass';
+import { AtlasView } from './AtlasView';
+import type { BufferView, ShownView } from './BufferView';
+import { FogView } from './FogView';
+import { FroxelView } from './FroxelView';
+import { LightBufferView } from './LightBufferView';
+import { MotionView } from './MotionView';
+import { PixelView } from './PixelView';
+import { problems } from './problems';
+
+const NO_TILES: ShownView['tiles'] = [];
+
+/** The views that lie over the finished picture, each made when it is first shown. */
+export class BufferViews {
+  private readonly made = new Map<View, BufferView>();
+  private readonly info: ShownView = { view: 'final', problem: null, fullMotion: 0, tiles: NO_TILES };
+  private readonly told = new Set<string>();
+
+  constructor(private readonly surfaces: SurfaceViewPass) {}
+
+  /** Shows a view over the finished picture, or leaves that where the frame has no such buffer; warns once then. */
+  show(frame: Frame, name: View): ViewInfo {
+    let view = this.made.get(name);
+    if (view === undefined) this.made.set(name, (view = this.make(name)));
+    const { info, told } = this;
+    info.view = name;
+    info.fullMotion = 0;
+    info.tiles = NO_TILES;
+    info.problem = view.show(frame, info);
+    // of more texels than the view, a frame budget would enlarge it
+    if (info.problem === null) frame.finer = null;
+    // another technique or none of the effects may draw until their code is there
+    else if (!told.has(info.problem) && Lazy.lacking!.size === 0) {
+      told.add(info.problem);
+      console.warn(`Farol: the view '${name}' shows the final picture. ${info.problem}`);
+    }
+    return info;
+  }
+
+  dispose(): void {
+    for (const view of this.made.values()) view.dispose();
+  }
+
+  private make(name: View): BufferView {
+    switch (name) {
+      case 'motion':
+        return new MotionView();
+      case 'reactive-mask':
+        return new PixelView(({ resources }) => {
+          const motion = resources.find('motion');
+          return motion === undefined ? problems.reactive : (motion.reactive ?? problems.notReactive);
+        });
+      case 'light-buffer':
+        return new LightBufferView();
+      case 'shadow-atlas':
+        return new AtlasView(false);
+      case 'image-atlas':
+        return new AtlasView(true);
+      case 'fog-light':
+        return new FogView(this.surfaces, 0);
+      case 'fog-transmittance':
+        return new FogView(this.surfaces, 1);
+      case 'froxels':
+        return new FroxelView();
+      default:
+        return new PixelView((frame) => frame.resources.find('occlusion')?.openSky(frame) ?? problems.occlusion);
+    }
+  }
+}
