@@ -1,4 +1,4 @@
-import { FieldGesture, formatNumber, t } from '@farol/editing';
+import { FieldGesture, t, tCount } from '@farol/editing';
 import { Light, type LightGroup } from '@farol/engine';
 import { memo, type MouseEvent, type ReactNode } from 'react';
 import type { EditorApi } from '../../api/EditorApi';
@@ -144,9 +144,10 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
         <Icon name={kindOf(source) as 'point'} size={14} />
         <span className="row-name">{name}</span>
       </span>
-      <span role="gridcell">
-        {kindLabel(kindOf(source))}
-        {source instanceof Light || <span className="dim"> × {formatNumber(lightCount(source), 'short')}</span>}
+      <span role="gridcell" title={kindLabel(kindOf(source))}>
+        {source instanceof Light
+          ? kindLabel(kindOf(source))
+          : tCount(lightCount(source), '{count} light', '{count} lights')}
       </span>
       {colour === null ? (
         <span role="gridcell" />
