@@ -1,4 +1,4 @@
-import { formatNumber, t } from '@farol/editing';
+import { t } from '@farol/editing';
 import { useSignal, useEditor } from '../../../ui/EditorContext';
 import { Button } from '../../../ui/Button';
 import { Color, SRGBColorSpace } from 'three';
@@ -16,7 +16,7 @@ function screenColour(color: Color): string {
 }
 
 const percent = (part: number): string =>
-  part > 0 && part < 0.001 ? '< 0.1 %' : `${formatNumber(part * 100, 'short', 0.1)} %`;
+  part > 0 && part < 0.0005 ? '< 0.1 %' : `${Number((part * 100).toFixed(1))} %`;
 
 const linear = ({ r, g, b }: Color): string => [r, g, b].map((value) => value.toFixed(3)).join(' ');
 
