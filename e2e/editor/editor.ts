@@ -70,7 +70,7 @@ export interface EditorHandle {
     readonly camera: GameObject['object3D'];
     readonly technique: string;
     readonly mode: string;
-    readonly view: string;
+    view: string;
     readonly statistics: { readonly frames: number };
     readonly gizmo: { readonly snapSteps: unknown; readonly isHot: boolean; readonly three: Object3D };
     readonly parts: { readonly lightHandles: { readonly part: { readonly places: readonly object[] } | null } };
@@ -80,6 +80,7 @@ export interface EditorHandle {
     readonly webgl: WebGLRenderer;
     readonly farol: FarolRenderer;
     readonly picture: PictureRenderer;
+    shade(pane: PaneHandle, shading: string): void;
     renderNow(): void;
     focus(): void;
     drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void>;

@@ -1,3 +1,4 @@
+import type { Light } from '@farol/engine';
 import type { Page } from '@playwright/test';
 import { addObject, history } from './editor';
 import { expect, test } from './sharedEditor';
@@ -5,7 +6,7 @@ import { expect, test } from './sharedEditor';
 test.use({ viewport: { width: 840, height: 520 } });
 
 const show = (page: Page, view: string): Promise<void> =>
-  page.evaluate((name) => void (window.editor.viewport.view = name as 'final'), view);
+  page.evaluate((name) => void (window.editor.viewport.view = name), view);
 
 test('a view whose buffer is not there has a button that makes it; parts of a view are named; panes have views of their own', async ({
   page,
@@ -25,11 +26,7 @@ test('a view whose buffer is not there has a button that makes it; parts of a vi
   await expect(lacking).toBeVisible();
 
   await page.evaluate(() => {
-    const { document } = window.editor;
-    for (const light of document.scene.componentsOf<{ typeName: string; castShadow: boolean } & object>(
-      'Light' as never,
-    ))
-      light.castShadow = true;
+    for (const light of window.editor.document.scene.componentsOf<Light>('Light')) light.castShadow = true;
   });
   await show(page, 'shadow-atlas');
   const tiles = page.locator('.view-tile');

@@ -30,13 +30,13 @@ test('a light is a bulb of 60 W, is shown in lumens and dimmed in them, and turn
   await page.getByRole('menuitem', { name: '60 W bulb' }).click();
   await expect(row.getByRole('textbox')).toHaveValue('60');
   const bulb = await lamp(page);
-  expect(bulb).toMatchObject({ type: 'point', unit: 'watt', kelvin: 2790 });
-  expect(bulb.candela).toBeCloseTo(870 / (4 * Math.PI), 2);
+  expect(bulb).toMatchObject({ type: 'point', unit: 'watt', kelvin: 2700 });
+  expect(bulb.candela).toBeCloseTo(800 / (4 * Math.PI), 2);
   expect(bulb.blue).toBeLessThan(0.15);
 
   await row.getByRole('button', { name: 'W Incandescent' }).click();
   await page.getByRole('menuitemcheckbox', { name: 'Lumen (lm)' }).click();
-  await expect(row.getByRole('textbox')).toHaveValue('870');
+  await expect(row.getByRole('textbox')).toHaveValue('800');
   expect((await lamp(page)).candela).toBe(bulb.candela);
 
   await row.getByRole('textbox').fill('400');

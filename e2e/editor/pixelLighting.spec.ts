@@ -71,7 +71,6 @@ test('a pixel tells of its lights, in the light and in a shadow; a row selects i
   expect((await percents(lamp))[0]).toBeGreaterThan(40);
   expect(await page.evaluate(() => window.editor.document.selection.ids)).toEqual([]);
 
-  await page.screenshot({ path: '/work/tmp-pixel32/b.png' });
   await lamp.getByRole('button').click();
   const selected = (): Promise<string[]> =>
     page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));

@@ -14,6 +14,8 @@ test('samples that are files open, play 20 steps, and are as they were once they
     const seen = await page.evaluate(async (name) => {
       const { editor } = window;
       await editor.openSample(name);
+      // takes the software rasteriser seconds a frame
+      editor.document.scene.settings.set('volumetricFog', false);
       editor.viewport.renderNow();
       const { document } = editor;
       const { simulation, scene } = document;

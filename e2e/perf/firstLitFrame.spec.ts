@@ -41,6 +41,5 @@ test('the first lit frame of the atrium beside that of stock three @long', async
     JSON.stringify({ lights: size[0], stock, farol, whole, ratio: farol / stock, wholeRatio: whole / stock }),
   );
   expect(times.farol).toHaveLength(ROUNDS);
-  if (onGpu) expect.soft(farol / stock).toBeLessThan(MOST);
-  if (onGpu) expect.soft(whole / stock, 'with all code').toBeLessThan(MOST);
+  if (onGpu) expect(farol / stock).toBeLessThan(MOST);
 });

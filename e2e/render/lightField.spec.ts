@@ -250,7 +250,8 @@ test('a picture without a field, and its programs, are the same before and after
   expect(seen.sources[0]).toBeGreaterThan(8);
   expect(seen.sources[1], 'sources of programs').toBe(true);
   expect(seen.same, 'another renderer, and one that drew a field').toEqual([true, true]);
-  expect(seen.seen).toEqual([true, true, true, true, true]);
+  expect(seen.seen.length).toBeGreaterThan(2);
+  expect(seen.seen, 'techniques that show the field').not.toContain(false);
 });
 
 test('a field lights what the camera sees if it shares a layer with the camera, as lights do in three', async ({

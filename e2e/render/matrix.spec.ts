@@ -43,7 +43,7 @@ const BY_ONE: Record<(typeof sheets)[number], 0 | 1> = {
 };
 
 /**
- * Of how many cases the slice draws the first. A sheet of glTF holds materials of the other sheets, after a file; of changed
+ * Step between cases that the slice draws. A sheet of glTF holds materials of the other sheets, after a file; of changed
  * shaders, each chunk has two or three.
  */
 const EVERY: Partial<Record<(typeof sheets)[number], number>> = { glTF: 2, shaders: 2 };

@@ -59,11 +59,11 @@ test('vertices that the CPU cannot read any more, or never could, throw and rece
     }
     scene.add(floor, ...casters, sun, spot);
     const results: { name: string; psnr: number; drawn: number }[] = [];
-    // the knot alone is 168,000 triangles, drawn for two maps and the picture, by both renderers
-    const frames = isSlice ? 2 : 4;
     for (const technique of ['forward-single-pass', 'deferred', 'forward'] as const) {
-      for (let i = 0; i < frames; i++) {
+      for (let i = 0; i < 4; i++) {
         casters.forEach((caster) => (caster.rotation.y += 0.3));
+        // the knot alone is 168,000 triangles, drawn for two maps and the picture, by both renderers
+        if (isSlice && i % 3 > 0) continue;
         const image = bench.byTechnique(technique, scene, camera);
         const { psnr } = compareImages(bench.stock(scene, camera), image);
         results.push({ name: `${technique} ${i}`, psnr, drawn: bench.farol.info.shadows.drawn });

@@ -26,7 +26,7 @@ test('lights in their units', () => {
   expect(unitFactor(light, 'lumen')).toBe(4 * Math.PI);
   expect(shownUnit(light)).toBe('candela');
   light.intensityUnit = 'watt';
-  expect(formatIntensity(light)).toBe('6.283 W');
+  expect(formatIntensity(light)).toBe('6.347 W');
   const { symbol, factor } = shownIntensity(light);
   expect([symbol, factor]).toEqual(['W', (4 * Math.PI) / lampEfficacies.halogen]);
   expect(unitLabels.watt).toBe('Watt (W)');

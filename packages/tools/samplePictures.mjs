@@ -46,13 +46,15 @@ try {
           editor.layout.maximise('viewport');
           viewport.showGrid = false;
           viewport.showIcons = false;
-          // effects come with code that is fetched; fog and others gather frames
-          for (let count = -1; count !== viewport.farol.effects.length;) {
-            count = viewport.farol.effects.length;
-            await new Promise((resolve) => setTimeout(resolve, 10_000));
+          // a frame asks for the code of effects, which is fetched; fog and others gather frames
+          for (let calm = 0, count = -1; calm < 3;) {
+            viewport.renderNow();
+            await new Promise((resolve) => setTimeout(resolve, 4000));
             await viewport.farol.ready;
+            calm = count === viewport.farol.effects.length ? calm + 1 : 0;
+            count = viewport.farol.effects.length;
           }
-          for (let frame = 0; frame < 8; frame++) viewport.renderNow();
+          for (let frame = 0; frame < 6; frame++) viewport.renderNow();
           // the middle of the picture, in its shape
           const { canvas } = viewport;
           const tall = Math.min(canvas.height, (canvas.width * height) / width);

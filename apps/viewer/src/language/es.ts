@@ -110,6 +110,8 @@ const shared: Texts = {
     'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
   'many lights over a pixel: each surface is lit once, by the list of its cluster':
     'muchas luces por píxel: cada superficie se ilumina una vez, con la lista de su clúster',
+  'surfaces hide one another: depth is drawn first, so that each pixel is shaded once':
+    'unas superficies tapan a otras: primero se dibuja la profundidad, y cada píxel se sombrea una sola vez',
   'very many lights over a pixel: each surface is lit once, by the list of its tile':
     'muchísimas luces, muchas por píxel: cada superficie se ilumina una vez, con la lista de su tile, hecha en la GPU',
   'Forward, multipass': 'Forward, varias pasadas',

@@ -32,7 +32,7 @@ const DEGREE = Math.PI / 180;
 export const lightPresets: Readonly<Record<string, LightPreset>> = {
   candle: { label: 'Candle', type: 'point', amount: 1, unit: 'candela', kelvin: 1850, shape: { range: 8 } },
   bulb40: { label: '40 W bulb', type: 'point', amount: 450, unit: 'lumen', lamp: 'incandescent', kelvin: 2700 },
-  bulb60: { label: '60 W bulb', type: 'point', amount: 800, unit: 'lumen', lamp: 'incandescent', kelvin: 2700 },
+  bulb60: { label: '60 W bulb', type: 'point', amount: 60, unit: 'watt', lamp: 'incandescent', kelvin: 2700 },
   bulb100: { label: '100 W bulb', type: 'point', amount: 1600, unit: 'lumen', lamp: 'incandescent', kelvin: 2700 },
   led: { label: 'LED lamp, 8 W', type: 'point', amount: 8, unit: 'watt', lamp: 'led', kelvin: 3000 },
   halogenSpot: {

@@ -41,7 +41,8 @@ export function isCountView(view: View): boolean {
 
 /** Whether a view shows surface properties, equal in every technique: drawn from a G-buffer of its own. */
 export function isSurfaceView(view: View): boolean {
-  return view !== 'final' && view !== 'lighting' && view !== 'grid' && !isCountView(view);
+  const index = views.indexOf(view);
+  return index > 0 && index < views.indexOf('lighting');
 }
 
 /** Whether a view lies over the finished picture, since it shows a buffer of that frame. */

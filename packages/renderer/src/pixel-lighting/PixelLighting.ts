@@ -14,7 +14,7 @@ export interface LightShare {
   readonly color: Color;
   /** Light that would reach it if nothing cast a shadow in this light: linear RGB. */
   readonly unshadowed: Color;
-  /** Part of the luminance of `PixelLighting.sum`, 0 to 1; 0 where the sum is black. */
+  /** Part of the luminance of `PixelLighting.sum`, 0 to 1, below 0 for light that is taken away; 0 where the sum is black. */
   readonly share: number;
   /** Distance (m) from the surface to the centre of the light; null for a directional light, and where no surface was hit. */
   readonly distance: number | null;

@@ -105,10 +105,10 @@ class PixelWork {
     options.onProgress?.(1);
     const sum = new Color(0);
     for (const { color } of measures) sum.add(color);
-    const whole = brightnessOf(sum);
+    const whole = luminanceOf(sum);
     const shared = measures
-      .map((each) => ({ ...each, share: whole > 0 ? brightnessOf(each.color) / whole : 0 }))
-      .toSorted((a, b) => b.share - a.share);
+      .map((each) => ({ ...each, share: whole > 0 ? luminanceOf(each.color) / whole : 0 }))
+      .toSorted((a, b) => brightnessOf(b.color) - brightnessOf(a.color));
     return {
       technique: this.technique,
       x: picture.column,
@@ -196,7 +196,7 @@ class PixelWork {
 
   /** Light of some lights alone. */
   private lightOf(lights: readonly Light[], isUnshadowed: boolean): Color {
-    return this.picture.draw(lights, isUnshadowed).sub(this.dark);
+    return less(this.picture.draw(lights, isUnshadowed), this.dark);
   }
 
   /** Light that a light takes from that of the others. */
@@ -204,7 +204,7 @@ class PixelWork {
     const { picture } = this;
     const others = picture.parts.found.filter((each) => each !== light);
     const taken = (isUnshadowed: boolean): Color =>
-      picture.draw(null, isUnshadowed).sub(picture.draw(others, isUnshadowed));
+      less(picture.draw(null, isUnshadowed), picture.draw(others, isUnshadowed));
     return { color: taken(false), unshadowed: taken(true) };
   }
 
@@ -274,6 +274,17 @@ class PixelWork {
     yield 1;
   }
 }
+
+/** Subtracts in place; `Color.sub` has nothing below 0. */
+function less(color: Color, { r, g, b }: Color): Color {
+  color.r -= r;
+  color.g -= g;
+  color.b -= b;
+  return color;
+}
+
+/** Relative luminance of linear RGB. */
+const luminanceOf = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 const place = new Vector3();
 

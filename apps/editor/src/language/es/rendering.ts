@@ -133,6 +133,8 @@ export const rendering: Texts = {
   Vignette: 'Viñeta',
   'Tiled deferred shading that grows dark towards the edges: an example of a plugin.':
     'Diferido por tiles que se oscurece hacia los bordes: un ejemplo de complemento.',
+  'surfaces hide one another: depth is drawn first, so that each pixel is shaded once':
+    'unas superficies tapan a otras: primero se dibuja la profundidad, y cada píxel se ilumina una sola vez',
   'few lights: lists cost more than they save': 'casi ninguna luz: las listas costarían más de lo que ahorran',
   'What the effects cost': 'Lo que cuestan los efectos',
   Effect: 'Efecto',

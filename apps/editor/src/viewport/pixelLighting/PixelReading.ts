@@ -40,7 +40,7 @@ export interface PixelReading {
   readonly surfaces: readonly SurfaceLine[];
 }
 
-const luminanceOf = ({ r, g, b }: Color): number => 0.2126 * Math.abs(r) + 0.7152 * Math.abs(g) + 0.0722 * Math.abs(b);
+const luminanceOf = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 /** Names of light that is of no object. */
 const labelOfOther = (kind: OtherLight, count: number): string =>
