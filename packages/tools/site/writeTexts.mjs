@@ -69,7 +69,9 @@ export function writeTexts(dist, groups) {
     if (!page.endsWith('.html') || page === '404.html' || page.startsWith('es/') || existsSync(join(dist, 'es', page)))
       continue;
     const to = `${'../'.repeat(page.split('/').length)}${page}`;
-    const head = `<title>Farol</title><meta http-equiv="refresh" content="0; url=${to}" />`;
+    // without an icon a browser asks the host for one
+    const icon = '<link rel="icon" href="data:," />';
+    const head = `<title>Farol</title>${icon}<meta http-equiv="refresh" content="0; url=${to}" />`;
     write(join(dist, 'es', page), `<!doctype html>${head}\n`);
   }
 }
