@@ -38,7 +38,8 @@ test('node materials (TSL) are drawn as stock three draws them, by each techniqu
     ];
     bench.byTechnique('deferred', scene, camera);
     bench.farol.effects = [];
-    for (const view of farol.views) {
+    // those after 'grid' show buffers of effects
+    for (const view of farol.views.slice(0, farol.views.indexOf('grid') + 1)) {
       bench.farol.view = view;
       bench.byTechnique('forward', scene, camera);
     }
