@@ -1,6 +1,6 @@
 import { byExtent } from '@farol/tools/extent';
 import { killModes, killTab, MOST_LOST } from '@farol/tools/soakKills';
-import { random } from '../pages/materialScene';
+import { random } from '../pages/random';
 import { expect, test } from '../support/test';
 
 test.use({ viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' });

@@ -1,5 +1,5 @@
 import * as THREE from 'three';
-import { random } from './materialScene';
+import { random } from './random';
 
 /** A fault of a host's code within a frame: sets it up, and returns a function that takes it back. */
 type Fault = () => () => void;

@@ -1,5 +1,6 @@
 import * as THREE from 'three';
 import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
+import { random } from './random';
 import { isSlice } from './techniquesInTurn';
 
 /** A scene with its camera, ready to draw. */
@@ -7,14 +8,6 @@ export interface TestScene {
   scene: THREE.Scene;
   camera: THREE.Camera;
   lights: THREE.Light[];
-}
-
-/** Park and Miller's generator: the same numbers for the same seed. */
-export function random(seed: number): () => number {
-  return () => {
-    seed = (seed * 16807) % 2147483647;
-    return (seed - 1) / 2147483646;
-  };
 }
 
 export function noiseTexture(seed: number, kind: 'colour' | 'normal'): THREE.DataTexture {

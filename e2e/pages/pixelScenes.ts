@@ -7,7 +7,8 @@ import { explainPixel, type PixelLighting } from '@farol/renderer/pixel-lighting
 import { WeightedBlendedOIT } from '@farol/renderer/transparency';
 import * as THREE from 'three';
 import { Bench } from './Bench';
-import { noiseTexture, random } from './materialScene';
+import { noiseTexture } from './materialScene';
+import { random } from './random';
 import { shadowScene } from './shadowScene';
 
 export { explainPixel };

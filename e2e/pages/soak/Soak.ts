@@ -1,7 +1,8 @@
 import { type FarolEffect, FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { type EffectEntry, type EffectName, effects, loadEffects } from '@farol/renderer/effects';
 import * as THREE from 'three';
-import { random, type TestScene } from '../materialScene';
+import type { TestScene } from '../materialScene';
+import { random } from '../random';
 import { type ActName, acts, THROWN } from './acts';
 import { GpuObjects } from './GpuObjects';
 import { casters, disposeScene, soakScenes } from './soakScenes';
