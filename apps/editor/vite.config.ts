@@ -87,6 +87,13 @@ export default defineConfig(({ command }) => ({
               priority: 5,
               includeDependenciesRecursively: false,
             },
+            // what reads models: an index of the engine's names it too, but only files that are opened need it
+            {
+              name: 'models',
+              test: /[\\/]engine[\\/]dist[\\/]chunks[\\/](guard[\\/]gltf[\\/]|assets[\\/]readModel|files[\\/]packGltf)/,
+              priority: 5,
+              includeDependenciesRecursively: false,
+            },
             { name: 'initial', tags: ['$initial'], priority: 3 },
             // panels that are open at first, in two files: seventy small ones take longer to ask for than to read
             { name: 'viewport-panel', test: /[\\/](ViewportPanel|Toolbar)\.tsx$/, priority: 2 },

@@ -9,7 +9,7 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 43,
-  lines: 193_250,
+  lines: 192_360,
 };
 
 /** First words by which a docblock hides its noun. */
