@@ -8,7 +8,7 @@ test.use({ viewport: { width: 840, height: 520 } });
 const show = (page: Page, view: string): Promise<void> =>
   page.evaluate((name) => void (window.editor.viewport.view = name), view);
 
-test('a view whose buffer is not there has a button that makes it; parts of a view are named; panes have views of their own', async ({
+test('a view whose buffer is not there has a button that makes it; parts of a view are named; panes have views of their own @verify', async ({
   page,
   watch,
 }) => {
