@@ -55,7 +55,7 @@ for (const name of scenes) {
     for (const row of rows) {
       expect.soft(row.difference, `${row.technique}: ${row.at}`).toBeLessThan(LIMIT);
       expect.soft(row.programs, row.technique).toBe(0);
-      expect.soft(row.lights, row.technique).toBeGreaterThan(19);
+      expect.soft(row.lights, row.technique).toBeGreaterThan(15);
     }
   });
 }
