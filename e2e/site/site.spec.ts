@@ -77,8 +77,12 @@ test.describe('on a desk', () => {
 
   test('the search, opened by the keyboard, has the answer to each question first @verify', async ({ page, site }) => {
     await page.goto(`${site}start.html`);
-    await page.keyboard.press('Control+k');
     const field = page.getByRole('searchbox');
+    // the page listens to keys once its script has run
+    await expect(async () => {
+      await page.keyboard.press('Control+k');
+      await expect(field).toBeVisible({ timeout: 1000 });
+    }).toPass();
     const index = searchIndex();
     for (const question of questions) {
       await field.fill(question);
