@@ -73,7 +73,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   private readonly pictureCamera: PictureCamera;
   private readonly place: CanvasPlace;
   readonly loop: FrameLoop;
-  /** What has changed in the scene, by which frames leave out what is as it was. */
+  /** Counts of changes in the scene, by which a frame leaves out work on what did not change. */
   readonly stamps: SceneStamps;
   private ownPainter: Painter | null = null;
 
