@@ -53,7 +53,10 @@ export class TracedScene {
     this.masks.dispose();
   }
 
-  /** Eight a range: lightmap, mask, test and opacity; both sides, no shadow, luminance of what it emits. */
+  /**
+   * Table of eight numbers for each range of triangles with one material: lightmap, opacity mask, alpha test, opacity; double
+   * sided, throws no shadow, emitted luminance, unused.
+   */
   private rangesTable({ ranges }: MergedTriangles): Float32Array {
     return Float32Array.from(
       ranges.flatMap(({ lightmap, material, isDoubleSided, throwsShadow }) => {

@@ -22,7 +22,10 @@ const WINDOW = 16;
 
 type Line = LineSegments & { readonly material: { readonly isLineMaterial?: boolean } };
 
-/** Size of points and thick lines goes by the target; points whose middle is outside are clipped. */
+/**
+ * Whether an object cannot be drawn in the window: points and thick lines are sized by the target, and points are
+ * clipped by their middle.
+ */
 const goesByTarget = ({ object }: RenderItem): boolean =>
   (object as Points).isPoints === true || (object as Line).material.isLineMaterial === true;
 

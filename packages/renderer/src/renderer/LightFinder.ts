@@ -6,7 +6,8 @@ import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
 /**
- * Most lights with a shadow or an image for which three has texture units; others have none until Farol draws them.
+ * Maximum number of lights with a shadow or an image for which three has texture units; others have none until Farol
+ * draws them.
  */
 const FEW_MASKS = 4;
 

@@ -20,7 +20,10 @@ import { parseSync } from 'vite';
 const MOST_LINES = 16;
 const MOST_OF_CLASS = 40;
 
-/** Costs, in lines: what the excerpt names and does not show, a use that is no call, and a check that is not shortened. */
+/**
+ * Penalties by which excerpts are compared, in lines of length: a name that the excerpt uses and does not declare, a use
+ * that is no call, and a check (`expect`) that could not be shortened.
+ */
 const UNSHOWN = 4;
 const NOT_CALLED = 2;
 const CHECK = 6;

@@ -12,7 +12,7 @@ import './overlay.css';
 import { viewMeanings } from './viewMeanings';
 import { viewMend } from './viewMend';
 
-/** Least width of a tile that has its name written in it (CSS pixels). */
+/** Smallest width of a tile that has its name written in it (CSS pixels). */
 const NAMED = 44;
 
 const metres = (distance: number): string => distance.toPrecision(3).replace(/\.?0+$/, '');

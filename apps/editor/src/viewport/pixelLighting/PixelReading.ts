@@ -10,7 +10,7 @@ export interface ShareLine {
   readonly name: string;
   /** Object that is selected by the line; null for light of no object. */
   readonly object: GameObject | null;
-  /** Linear RGB. */
+  /** Colour of the pixel, linear RGB. */
   readonly color: Color;
   /** Part of all light that reaches the pixel, 0 to 1. */
   readonly share: number;

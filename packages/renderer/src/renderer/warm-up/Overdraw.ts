@@ -70,7 +70,10 @@ export class Overdraw {
   }
 }
 
-/** Draws `rectangle` over the cells. @returns the cells that it shades */
+/**
+ * Draws `rectangle` into the grid of depths.
+ * @returns number of cells in which it is nearest, parts of cells by their area
+ */
 function draw(): number {
   const [left, right, bottom, top, depth] = rectangle;
   let drawn = 0;
