@@ -53,10 +53,7 @@ export class TracedScene {
     this.masks.dispose();
   }
 
-  /**
-   * Table of eight numbers for each range of triangles with one material: lightmap, opacity mask, alpha test, opacity; double
-   * sided, throws no shadow, emitted luminance, unused.
-   */
+  /** Table of materials, eight numbers each: lightmap, mask, alpha test, opacity; double sided, shadowless, emission, unused. */
   private rangesTable({ ranges }: MergedTriangles): Float32Array {
     return Float32Array.from(
       ranges.flatMap(({ lightmap, material, isDoubleSided, throwsShadow }) => {

@@ -22,10 +22,7 @@ const WINDOW = 16;
 
 type Line = LineSegments & { readonly material: { readonly isLineMaterial?: boolean } };
 
-/**
- * Whether an object cannot be drawn in the window: points and thick lines are sized by the target, and points are
- * clipped by their middle.
- */
+/** Whether an object is sized or clipped by the target, as points and thick lines: it cannot be drawn in the window. */
 const goesByTarget = ({ object }: RenderItem): boolean =>
   (object as Points).isPoints === true || (object as Line).material.isLineMaterial === true;
 

@@ -20,10 +20,7 @@ import { parseSync } from 'vite';
 const MOST_LINES = 16;
 const MOST_OF_CLASS = 40;
 
-/**
- * Penalties by which excerpts are compared, in lines of length: a name that the excerpt uses and does not declare, a use
- * that is no call, and a check (`expect`) that could not be shortened.
- */
+/** Penalties of an excerpt (lines): for a name that it does not declare, a use that is no call, a check that is not shortened. */
 const UNSHOWN = 4;
 const NOT_CALLED = 2;
 const CHECK = 6;

@@ -133,10 +133,7 @@ export class LiveShare {
     this.waiting.clear();
   }
 
-  /**
-   * Schedules a transfer of the whole scene, which is read anew unless it is being followed already.
-   * @param number - page that waits for it; null for all pages, when another scene was opened
-   */
+  /** Schedules a transfer of the whole scene. @param number - page that waits for it; null for all, in a new scene */
   private begin(number: number | null): void {
     this.waiting.add(number);
     if (!this.delta || number === null) {

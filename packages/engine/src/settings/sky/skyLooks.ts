@@ -6,7 +6,7 @@ export interface SkyDisc {
   readonly elevation: number;
   /** Azimuth from +x to +z (rad). */
   readonly azimuth: number;
-  /** Radians from the middle to the edge. */
+  /** Angular radius, from the middle to the edge (rad). */
   readonly radius: number;
   /** Radiance, linear RGB. */
   readonly colour: Vector3Tuple;

@@ -70,10 +70,7 @@ export class Overdraw {
   }
 }
 
-/**
- * Draws `rectangle` into the grid of depths.
- * @returns number of cells in which it is nearest, parts of cells by their area
- */
+/** Draws `rectangle` into the grid of depths. @returns number of cells in which it is nearest, by area */
 function draw(): number {
   const [left, right, bottom, top, depth] = rectangle;
   let drawn = 0;
