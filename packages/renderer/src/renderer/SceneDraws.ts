@@ -178,9 +178,7 @@ export class SceneDraws {
     for (const item of queue.opaque) item.drawn = false;
   }
 
-  /**
-   * Draws back faces of transmissive objects over that into three's transmission target, since front faces show it.
-   */
+  /** Draws back faces of transmissive objects over that into three's transmission target, since front faces show it. */
   private drawTransmittedBacks(): void {
     const { frame } = this;
     const { back } = this.transmittedTwins('final');

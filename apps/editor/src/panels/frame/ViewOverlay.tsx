@@ -14,6 +14,8 @@ import { viewMend } from './viewMend';
 
 /** Smallest width of a tile that has its name written in it (CSS pixels). */
 const NAMED = 44;
+/** Width of a pane below which its legend begins folded to the name of the view (CSS pixels). */
+const WIDE = 320;
 
 const metres = (distance: number): string => distance.toPrecision(3).replace(/\.?0+$/, '');
 
@@ -122,17 +124,19 @@ function BufferLegend({ pane, info }: { readonly pane: ViewPane; readonly info: 
         );
       })}
       <figure className="heat-scale buffer-legend" aria-label={name}>
-        <figcaption>{name}</figcaption>
-        {viewMeanings[info.view]?.()}
-        {info.fullMotion > 0 && (
-          <div className="motion-scale">
-            <div className="motion-wheel" />
-            {t('Full colour: {pixels} pixels a frame and more', { pixels: info.fullMotion })}
-          </div>
-        )}
-        {info.tiles.length > 0 && (
-          <div className="view-under">{under ? tileName(under) : t('Point at a part to see what it is.')}</div>
-        )}
+        <details open={width >= WIDE}>
+          <summary>{name}</summary>
+          {viewMeanings[info.view]?.()}
+          {info.fullMotion > 0 && (
+            <div className="motion-scale">
+              <div className="motion-wheel" />
+              {t('Full colour: {pixels} pixels a frame and more', { pixels: info.fullMotion })}
+            </div>
+          )}
+          {info.tiles.length > 0 && (
+            <div className="view-under">{under ? tileName(under) : t('Point at a part to see what it is.')}</div>
+          )}
+        </details>
       </figure>
     </>
   );
