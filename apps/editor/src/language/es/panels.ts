@@ -329,6 +329,7 @@ export const panels: Texts = {
   '{count} parts': '{count} partes',
   'Parts of {name}': 'Partes de {name}',
   '{name}, normal map': '{name}, normales',
+  'On##column': 'Enc.',
   '{names}: place {place} below {parent}': '{names}: puesto {place} debajo de {parent}',
   'Used by': 'Lo usan',
   'What uses this asset.': 'Lo que usa este recurso.',

@@ -57,7 +57,12 @@ export function ViewOverlay(): ReactNode {
     const view = viewIn(viewport, pane);
     const isCount = view === 'light-count' || view === 'overdraw';
     return (
-      <div key={pane.name} className="pane-overlay" style={{ left: x, top: y, width, height }}>
+      <div
+        key={pane.name}
+        className="pane-overlay"
+        data-quad={viewport.isQuad || undefined}
+        style={{ left: x, top: y, width, height }}
+      >
         {isCount && <HeatScale view={view} />}
         {pane.shown?.problem && <Lacking view={view} problem={pane.shown.problem} />}
         {pane.shown && !pane.shown.problem && <BufferLegend pane={pane} info={pane.shown} />}
