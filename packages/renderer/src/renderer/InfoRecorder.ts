@@ -158,6 +158,7 @@ export class InfoRecorder {
   private sumTimes(): void {
     const { info } = this;
     info.gpuMs = null;
+    if (!this.timing) return;
     for (const { gpuMs } of info.passes) if (gpuMs !== null) info.gpuMs = (info.gpuMs ?? 0) + gpuMs;
   }
 
