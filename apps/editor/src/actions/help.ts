@@ -54,7 +54,7 @@ const apps = [
 export const otherApps: readonly Action[] = apps.map(([app, label]) => ({
   id: `help.app.${app}`,
   label,
-  run: async () => (await import('@farol/engine/files')).openBeside(app, t(label)),
+  run: async () => (await import('../files/readScene')).openBeside(app, t(label)),
 }));
 
 /** Shows version and licence. */

@@ -36,6 +36,8 @@ export interface FarolEffect {
   readonly takesPicture?: boolean;
   /** True if the effect smooths edges: `FarolOptions.antialias` adds nothing then. Default false. */
   readonly smoothsEdges?: boolean;
+  /** Frames of a still scene after which its picture changes no more, where that depends on the device. Default: its entry's. */
+  readonly stillFrames?: number;
   /** Bytes of the effect's targets. */
   readonly bytes: number;
   /**

@@ -66,10 +66,10 @@ export interface FarolInfo {
   programs: number;
   /** Quality of the frame: 'lite' or 'full'. */
   quality: 'full' | 'lite';
-  /** Bytes that Farol holds on the GPU, by their use. */
+  /** Bytes that Farol holds on the GPU, by their use, counted as they are read. */
   readonly memory: MemoryInfo;
   /** Sum of `memory`. */
-  targetBytes: number;
+  readonly targetBytes: number;
   /** Bytes of light data uploaded in this frame. */
   uploadBytes: number;
 }
