@@ -55,9 +55,7 @@ export interface FarolInfo {
   budget: Readonly<BudgetInfo> | null;
   /** Parts of a view of a buffer, or why it cannot be shown; null for the other views, and while their code is being fetched. */
   view: ViewInfo | null;
-  /**
-   * Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw.
-   */
+  /** Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw. */
   lights: { total: number; visible: number };
   /**
    * Shadow maps drawn in this frame and their texels; maps kept from earlier frames; of these, maps whose depth bounds

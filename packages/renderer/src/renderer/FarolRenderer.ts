@@ -381,7 +381,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.finder.dispose();
   };
 
-  /** Picks the technique by the lights that the camera sees. @returns the order in which it wants them */
+  /** Picks the technique by the lights that the camera sees. @returns order in which the technique needs the lights */
   private readonly pickTechnique = (): LightOrder => {
     const { draws, frame, picker } = this;
     picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);

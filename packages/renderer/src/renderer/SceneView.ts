@@ -246,9 +246,7 @@ export class SceneView {
     }
   }
 
-  /**
-   * Reserves one of three's render lists for all frames, whatever the depth of nested renders.
-   */
+  /** Reserves one of three's render lists for all frames, whatever the depth of nested renders. */
   private takeList(): void {
     this.lists = renderListsOf(this.webgl);
     const list = (this.list = this.lists.get(this.view, 0));

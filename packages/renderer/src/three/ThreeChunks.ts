@@ -47,8 +47,8 @@ function addIncludes(text: string, names: Set<string>): void {
 }
 
 /**
- * Which of three's shaders the page has changed by `ShaderChunk` or `ShaderLib`, before Farol was there or since: percentage
- * closer soft shadows, cascades, fogs and tone mappings come so.
+ * Record of the shaders of three's that the page has changed by `ShaderChunk` or `ShaderLib`, before Farol was there or
+ * since: percentage closer soft shadows, cascades, fogs and tone mappings come so.
  */
 export class ThreeChunks {
   /** Number that grows with each change. */
@@ -109,5 +109,5 @@ export class ThreeChunks {
   }
 }
 
-/** One for the page, as three has one `ShaderChunk`. */
+/** The page's only ThreeChunks, since three has one `ShaderChunk` a page. */
 export const threeChunks = new ThreeChunks();
