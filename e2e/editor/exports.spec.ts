@@ -249,6 +249,14 @@ test('a web page has lamps, trees and the sky of the library @verify', async ({ 
   await checkPages(page, context, 'items of the library', info.outputPath('library.html'), ['frame']);
 });
 
+test('a web page of a scene in fog is fogged as in the editor @verify', async ({ page, context }, info) => {
+  test.setTimeout(240_000);
+  await openEditor(page, 'empty');
+  await openSample(page, 'foggy-street');
+  expect(await page.evaluate(() => window.editor.document.scene.settings.get('volumetricFog'))).toBe(true);
+  await checkPages(page, context, 'foggy street', info.outputPath('fog.html'), []);
+});
+
 test('what is hidden, broken or nothing at all: said, named, and the button lives @verify', async ({
   page,
   context,

@@ -30,7 +30,7 @@ export const startTour: Action = {
 const REPOSITORY = 'https://github.com/farol-renderer/farol/tree/main';
 
 const pages = [
-  ['editor', "The editor's guide", 'apps/editor#readme'],
+  ['editor', "The editor's guide", 'apps/editor/docs/using.md'],
   ['renderer', 'Guide to techniques and lights', 'packages/renderer#readme'],
   ['microshaders', 'Guide to effects and microshaders', 'packages/renderer/docs/authoring.md'],
   ['limits', 'What the techniques cannot do', 'packages/renderer/docs/limits.md'],

@@ -17,7 +17,7 @@ function randomNumbers(seed: number): () => number {
 /** Other work of a machine, by which frames take longer for a while. */
 interface Bursts {
   factor: number;
-  /** Mean frames with that work, and without it. */
+  /** Mean length of a burst, and of the pause after it (frames). */
   on: number;
   off: number;
   /** Standard deviation of the logarithm of times. */

@@ -5,8 +5,8 @@ const CORRECTION = 2;
 /** Frames after an enlargement that has held, after which one failure is forgotten. */
 const HELD = 480;
 /**
- * Frames in a row with room for a larger scale that it takes after one failure; twice as many after each further one, until an
- * enlargement has held.
+ * Frames in a row that must have room for a larger scale before the next enlargement, after one failure; doubled by each
+ * further failure, until an enlargement has held.
  */
 const WAIT = 60;
 const MOST_LEVEL = 4;
