@@ -16,9 +16,7 @@ export interface FarolEffect {
   readonly name: string;
   /** `render` is called after each pass of the frame that writes one of these. */
   readonly after?: readonly Resource[];
-  /**
-   * `render` is called in place of each pass that writes this resource. At most one effect may replace a resource.
-   */
+  /** `render` is called in place of each pass that writes this resource. At most one effect may replace a resource. */
   readonly replaces?: Resource;
   /**
    * Additional attachments of the G-buffer, if the device has room; `Frame.locationOf` gives their locations. At most

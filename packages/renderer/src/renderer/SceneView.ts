@@ -65,6 +65,10 @@ export class SceneView {
   seenBy!: Camera;
   private readonly array = new ArrayTraversal();
   private camera!: Camera;
+  /** Whether the camera's matrices are up to date, so that three need not make them again. */
+  isCameraUpdated = false;
+  /** The camera, while three is kept from updating its matrices. */
+  private kept: Camera | null = null;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
@@ -84,7 +88,7 @@ export class SceneView {
     if (scene.isScene === true) {
       this.view = standInOf(scene, Object3D.prototype);
       // called by FarolRenderer, before lights are collected
-      this.own('onBeforeRender', NOTHING);
+      this.own('onBeforeRender', this.freeCamera);
       this.own('onAfterRender', NOTHING);
     } else {
       this.view = new Object3D();
@@ -134,10 +138,12 @@ export class SceneView {
     shadows?.calls.begin(this.view, this.fail);
     this.getList = this.lists.get;
     this.lists.get = this.giveList;
+    this.keepCamera(camera);
     try {
       this.webgl.render(this.view as Object3D, camera);
     } finally {
       this.lists.get = this.getList;
+      this.freeCamera();
       shadows?.calls.end();
       this.restore();
       this.restoreClear();
@@ -156,6 +162,18 @@ export class SceneView {
   private readonly fail = (error: unknown): void => {
     if (!this.failed) this.error = error;
     this.failed = true;
+  };
+
+  /** Keeps three from updating a camera's matrices a second time; three calls `freeCamera` right after, of a Scene. */
+  private keepCamera(camera: Camera): void {
+    if (!this.isCameraUpdated || !camera.matrixWorldAutoUpdate || (this.source as Scene).isScene !== true) return;
+    camera.matrixWorldAutoUpdate = false;
+    this.kept = camera;
+  }
+
+  private readonly freeCamera = (): void => {
+    if (this.kept !== null) this.kept.matrixWorldAutoUpdate = true;
+    this.kept = null;
   };
 
   /** Empties three's list of transmissive items, which Farol draws. */
@@ -233,9 +251,7 @@ export class SceneView {
     }
   }
 
-  /**
-   * Reserves one of three's render lists for all frames, whatever the depth of nested renders.
-   */
+  /** Reserves one of three's render lists for all frames, whatever the depth of nested renders. */
   private takeList(): void {
     this.lists = renderListsOf(this.webgl);
     const list = (this.list = this.lists.get(this.view, 0));

@@ -12,8 +12,10 @@ import './overlay.css';
 import { viewMeanings } from './viewMeanings';
 import { viewMend } from './viewMend';
 
-/** Least width of a tile that has its name written in it (CSS pixels). */
+/** Smallest width of a tile that has its name written in it (CSS pixels). */
 const NAMED = 44;
+/** Width of a pane below which its legend begins folded to the name of the view (CSS pixels). */
+const WIDE = 320;
 
 const metres = (distance: number): string => distance.toPrecision(3).replace(/\.?0+$/, '');
 
@@ -55,7 +57,12 @@ export function ViewOverlay(): ReactNode {
     const view = viewIn(viewport, pane);
     const isCount = view === 'light-count' || view === 'overdraw';
     return (
-      <div key={pane.name} className="pane-overlay" style={{ left: x, top: y, width, height }}>
+      <div
+        key={pane.name}
+        className="pane-overlay"
+        data-quad={viewport.isQuad || undefined}
+        style={{ left: x, top: y, width, height }}
+      >
         {isCount && <HeatScale view={view} />}
         {pane.shown?.problem && <Lacking view={view} problem={pane.shown.problem} />}
         {pane.shown && !pane.shown.problem && <BufferLegend pane={pane} info={pane.shown} />}
@@ -122,17 +129,19 @@ function BufferLegend({ pane, info }: { readonly pane: ViewPane; readonly info: 
         );
       })}
       <figure className="heat-scale buffer-legend" aria-label={name}>
-        <figcaption>{name}</figcaption>
-        {viewMeanings[info.view]?.()}
-        {info.fullMotion > 0 && (
-          <div className="motion-scale">
-            <div className="motion-wheel" />
-            {t('Full colour: {pixels} pixels a frame and more', { pixels: info.fullMotion })}
-          </div>
-        )}
-        {info.tiles.length > 0 && (
-          <div className="view-under">{under ? tileName(under) : t('Point at a part to see what it is.')}</div>
-        )}
+        <details open={width >= WIDE}>
+          <summary>{name}</summary>
+          {viewMeanings[info.view]?.()}
+          {info.fullMotion > 0 && (
+            <div className="motion-scale">
+              <div className="motion-wheel" />
+              {t('Full colour: {pixels} pixels a frame and more', { pixels: info.fullMotion })}
+            </div>
+          )}
+          {info.tiles.length > 0 && (
+            <div className="view-under">{under ? tileName(under) : t('Point at a part to see what it is.')}</div>
+          )}
+        </details>
       </figure>
     </>
   );

@@ -2,7 +2,7 @@ import { type Camera, Matrix4, Vector4 } from 'three';
 import { LightWatch } from '../antialiasing/LightWatch';
 import { FroxelTexture } from './FroxelTexture';
 
-/** Most frames that are averaged while nothing changes. */
+/** Maximum number of frames that are averaged while nothing changes. */
 const MOST = 64;
 /** Frames whose mean the history is after lights have changed. */
 const CHANGED = 3;

@@ -5,7 +5,7 @@ import { medianOfLast, RECENT, SteadyLoad } from './SteadyLoad';
 
 /** Change of the scale from one frame to the next: too little to be seen. */
 const STEP = 1 / 64;
-/** Steps from the goal above which a frame goes by two. */
+/** Distance to the goal (steps) above which the scale changes by two steps a frame. */
 const FAR = 8;
 /** Share of the budget that predictions aim at: frames vary. */
 const AIM = 0.98;
@@ -22,11 +22,11 @@ const MEMORY = 0.95;
 const [LATE, NEW_LATE] = [1.07, 1.05];
 /** Intervals below this share of the budget tell how much faster a frame is, others may be the display's. */
 const EARLY = 0.93;
-/** Share of the budget by which intervals are off above which the scale goes by two steps. */
+/** Error of intervals, as a share of the budget, above which the scale changes by two steps. */
 const QUICK = 0.25;
 /** Share of the budget up to which a larger scale is tried, by a prediction that does not know the display. */
 const MOST = 1.06;
-/** Intervals in time after which a trial has succeeded, and late ones up to which it is to blame. */
+/** Punctual intervals after which a trial has succeeded, and late ones up to which the trial is to blame. */
 const [TRIAL, BLAME] = [8, 240];
 /** Intervals before a larger scale is tried: at first and at least, after a failure and at most. */
 const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
@@ -56,14 +56,14 @@ export class BudgetController {
   /** Cost of the pixels at scale 1 (ms). */
   private readonly load = new SteadyLoad();
   private readonly restlessness = new Restlessness();
-  /** Intervals in time since the scale changed, and since a larger one was tried. */
+  /** Punctual intervals since the scale changed, and since a larger one was tried. */
   private inTime = 0;
   private sinceTrial = Infinity;
   /** Whether the last trial may be why frames are late. */
   private blamed = false;
-  /** Last mean of the intervals in time, as a share of the budget. */
+  /** Last mean of the punctual intervals, as a share of the budget. */
   private usual = 0;
-  /** Intervals in time before a larger scale is tried: in general, and after failures. */
+  /** Punctual intervals before a larger scale is tried: in general, and after failures. */
   private pace = PACE;
   private patience = 0;
 

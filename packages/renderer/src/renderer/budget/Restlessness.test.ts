@@ -18,7 +18,7 @@ function randomNumbers(seed: number): () => number {
 interface Bursts {
   /** How many times as long frames take. */
   factor: number;
-  /** Mean frames with that work, and without it. */
+  /** Mean length of a burst, and of the pause after it (frames). */
   on: number;
   off: number;
   /** Standard deviation of the logarithm of times. */
