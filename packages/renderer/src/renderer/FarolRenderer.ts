@@ -268,7 +268,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       for (const effect of effects.all) effect.begin?.(frame);
       this.lights.update(scene, frame, finder, this, effects.all.length > 0, this.pickTechnique);
       const { fills = 'behind' } = this.set.known[picker.active];
-      sceneView.isCameraUpdated = frame.camera === camera && !webgl.xr.enabled;
       sceneView.render(
         frame.camera,
         finder.found.nested,
@@ -277,6 +276,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
         draws.draw,
         frame.view === 'final' && frame.ownsTarget() ? fills : null,
         shadows,
+        frame.camera === camera && !webgl.xr.enabled,
       );
       shadows?.end();
       done = true;

@@ -16,6 +16,7 @@ function makeRecorder() {
   let counts = 0;
   const recorder = new InfoRecorder(webgl, { pending: null } as unknown as LastFrame, (memory) => {
     Object.assign(memory, { gbuffer: 5, gbufferPixel: 16, lights: ++counts });
+    return 5 + counts;
   });
   const draw = (name: string, calls: number, triangles: number) => {
     recorder.beginPass(name);

@@ -29,11 +29,10 @@ export class InfoRecorder {
   constructor(
     private readonly webgl: WebGLRenderer,
     last: LastFrame,
-    /** Counts the bytes held; called where they are read. */
-    count: (memory: MemoryInfo) => void,
+    /** Counts the bytes held, called where they are read; returns their sum. */
+    count: (memory: MemoryInfo) => number,
   ) {
     const held = { gbuffer: 0, gbufferPixel: 0, targets: 0, lists: 0, shadows: 0, lights: 0, effects: 0 };
-    const memory = () => (count(held), held);
     this.info = {
       technique: '',
       reason: '',
@@ -53,11 +52,11 @@ export class InfoRecorder {
       programs: 0,
       quality: 'full',
       get memory() {
-        return memory();
+        count(held);
+        return held;
       },
       get targetBytes() {
-        const { gbuffer, targets, lists, shadows, lights, effects } = memory();
-        return gbuffer + targets + lists + shadows + lights + effects;
+        return count(held);
       },
       uploadBytes: 0,
     };

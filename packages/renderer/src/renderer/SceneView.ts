@@ -65,10 +65,8 @@ export class SceneView {
   seenBy!: Camera;
   private readonly array = new ArrayTraversal();
   private camera!: Camera;
-  /** Whether the camera's matrices are up to date, so that three need not make them again. */
-  isCameraUpdated = false;
-  /** The camera, while three is kept from updating its matrices. */
-  private kept: Camera | null = null;
+  /** Whether three is kept from updating the camera's matrices, which are up to date, a second time. */
+  private holdsCamera = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
@@ -114,6 +112,7 @@ export class SceneView {
    * @param draw - draws the scene; also called for three's transmission target if an object transmits
    * @param fills - pixels that draws write, so that three need not clear them
    * @param shadows - maps to draw when three draws its own
+   * @param isUpdated - whether the camera's matrices are up to date
    */
   render(
     camera: Camera,
@@ -122,7 +121,8 @@ export class SceneView {
     queue: RenderQueue,
     draw: DrawScene,
     fills: Fills | null,
-    shadows: ShadowDraws | null = null,
+    shadows: ShadowDraws | null,
+    isUpdated: boolean,
   ): void {
     if (this.lists !== renderListsOf(this.webgl)) this.takeList();
     this.queue = queue;
@@ -138,7 +138,9 @@ export class SceneView {
     shadows?.calls.begin(this.view, this.fail);
     this.getList = this.lists.get;
     this.lists.get = this.giveList;
-    this.keepCamera(camera);
+    // three calls `freeCamera` as it has passed the camera's matrices, of a Scene
+    this.holdsCamera = isUpdated && camera.matrixWorldAutoUpdate && (this.source as Scene).isScene === true;
+    if (this.holdsCamera) camera.matrixWorldAutoUpdate = false;
     try {
       this.webgl.render(this.view as Object3D, camera);
     } finally {
@@ -164,16 +166,9 @@ export class SceneView {
     this.failed = true;
   };
 
-  /** Keeps three from updating a camera's matrices a second time; three calls `freeCamera` right after, of a Scene. */
-  private keepCamera(camera: Camera): void {
-    if (!this.isCameraUpdated || !camera.matrixWorldAutoUpdate || (this.source as Scene).isScene !== true) return;
-    camera.matrixWorldAutoUpdate = false;
-    this.kept = camera;
-  }
-
   private readonly freeCamera = (): void => {
-    if (this.kept !== null) this.kept.matrixWorldAutoUpdate = true;
-    this.kept = null;
+    if (this.holdsCamera) this.camera.matrixWorldAutoUpdate = true;
+    this.holdsCamera = false;
   };
 
   /** Empties three's list of transmissive items, which Farol draws. */

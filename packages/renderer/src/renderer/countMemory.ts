@@ -6,7 +6,7 @@ import type { LightFinder } from './LightFinder';
 import type { SceneDraws } from './SceneDraws';
 import type { TechniqueSet } from './TechniqueSet';
 
-/** Writes the bytes that a renderer holds, by their use. */
+/** Writes the bytes that a renderer holds, by their use. @returns their sum */
 export function countMemory(
   memory: MemoryInfo,
   frame: Frame,
@@ -15,7 +15,7 @@ export function countMemory(
   draws: SceneDraws,
   views: LazyViews,
   effects: readonly FarolEffect[],
-): void {
+): number {
   set.count(memory);
   memory.gbufferPixel = frame.gbufferPixel;
   memory.shadows = shadows?.bytes ?? 0;
@@ -23,4 +23,5 @@ export function countMemory(
   memory.targets += views.bytes;
   memory.effects = draws.bytes;
   for (const effect of effects) memory.effects += effect.bytes;
+  return memory.gbuffer + memory.targets + memory.lists + memory.shadows + memory.lights + memory.effects;
 }

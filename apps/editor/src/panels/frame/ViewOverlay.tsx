@@ -97,14 +97,12 @@ function BufferLegend({ pane, info }: { readonly pane: ViewPane; readonly info: 
       setPointer([(clientX - left) / width, (clientY - top) / height]);
     };
     const left = (): void => setPointer(null);
-    canvas.addEventListener('pointermove', moved);
-    canvas.addEventListener('pointerdown', moved);
-    canvas.addEventListener('pointerleave', left);
-    return () => {
-      canvas.removeEventListener('pointermove', moved);
-      canvas.removeEventListener('pointerdown', moved);
-      canvas.removeEventListener('pointerleave', left);
-    };
+    const end = new AbortController();
+    const { signal } = end;
+    canvas.addEventListener('pointermove', moved, { signal });
+    canvas.addEventListener('pointerdown', moved, { signal });
+    canvas.addEventListener('pointerleave', left, { signal });
+    return () => end.abort();
   }, [viewport, pane]);
   const [x, y] = pointer ?? [-1, -1];
   const under = info.tiles.find(
