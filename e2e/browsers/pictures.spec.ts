@@ -46,7 +46,7 @@ test('editor: fog, a shadow map shown, a pixel explained; in Firefox a film of t
   await expect.poll(rows).toMatch(/sun.*\d %/);
   await driven.click('button', 'Close');
 
-  // WebKitGTK 2.50 ends the page's process when it is asked what it encodes: see limits.md
+  // WebKitGTK 2.50 ended the page's process while the film's dialog was open: see limits.md
   if (test.info().project.name === 'webkit') return;
   // fog takes 64 draws a frame
   await driven.evaluate(() => void Object.assign(window.editor.document.scene.settings, { volumetricFog: false }));
