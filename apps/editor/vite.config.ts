@@ -12,6 +12,19 @@ import { playerPlugin } from './player.config.ts';
 /** Files of the first frame, which are there when code that is fetched late names them. */
 const initial = /^assets\/(index|three|rolldown-runtime)-/;
 
+/** Modules of the engine that only opened files need; those of their folders that the first scene needs are named. */
+const openingFiles = [
+  /^files\/(?!(preloadFileCode|serialize|assetUses|FarolFile|restoreComponent|readComponent|ProblemList|FilePath)\.)\w+\.js$/,
+  /^guard\/(checkDepth|checkModel|signature|unpack|exr\/readExrHeader|pictures\/(imageSize|pictureMemory)|zip\/\w+)\.js$/,
+  /^assets\/(memory|lightExtras|collectFiles|makeKTX2Loader)\.js$/,
+];
+
+/** Whether a module, by its path, only serves to open files. */
+function opensFiles(id: string): boolean {
+  const [, path] = id.replaceAll('\\', '/').split('/engine/dist/chunks/');
+  return path !== undefined && openingFiles.some((each) => each.test(path));
+}
+
 /**
  * Files to fetch at once with a file that is imported late: its imports that are not there yet. The
  * file itself is asked for a moment later, so it is named only where styles, which are waited for first, come with it.
@@ -92,6 +105,13 @@ export default defineConfig(({ command }) => ({
               name: 'models',
               test: /[\\/]engine[\\/]dist[\\/]chunks[\\/](guard[\\/]gltf[\\/]|assets[\\/]readModel|files[\\/]packGltf)/,
               priority: 5,
+              includeDependenciesRecursively: false,
+            },
+            // what opens files: an index of the engine's names it beside what the first scene needs
+            {
+              name: 'files',
+              test: opensFiles,
+              priority: 4,
               includeDependenciesRecursively: false,
             },
             { name: 'initial', tags: ['$initial'], priority: 3 },

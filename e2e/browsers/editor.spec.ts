@@ -6,7 +6,9 @@ import { openEditor, pointsOf, savedFile } from './editorPage';
 import { pictureOf } from './pictureOf';
 import { problemScript } from './problems';
 
-const serialized = (driven: Driven): Promise<string> => driven.evaluate(() => window.editor.serialize());
+/** Text of the scene, without the small picture that saving makes. */
+const serialized = (driven: Driven): Promise<string> =>
+  driven.evaluate(() => window.editor.serialize().replace(/\n *"picture": \{[^}]*\},/, ''));
 const steps = (driven: Driven): Promise<number> => driven.evaluate(() => window.editor.commands.history.length);
 const positionOfBox = (driven: Driven): Promise<Vector3Tuple> =>
   driven.evaluate(

@@ -33,7 +33,7 @@ const selectionPixels = (page: Page): Promise<number> =>
     let count = 0;
     for (let i = 0; i < pixels.length; i += 4) {
       const [red, green, blue] = pixels.subarray(i, i + 3);
-      if (red > 200 && green > 110 && green < 180 && blue < 130) count++;
+      if (red > 200 && green > 110 && green < 180 && blue < 110) count++;
     }
     return count;
   });

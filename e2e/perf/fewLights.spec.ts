@@ -53,6 +53,46 @@ test('a frame of few lights calls WebGL as stock three’s does, asks once more 
   }
 });
 
+test('a frame makes the matrices of its camera once, and gives the camera back before code of the host runs', async ({
+  page,
+}) => {
+  const seen = await page.evaluate(() => {
+    const { perf } = window;
+    perf.drawNothing();
+    const world = perf.world('auto', { objects: 1, lights: 1, directional: 0 });
+    const { camera, scene, objects } = world;
+    world.draw();
+    let updates = 0;
+    const updating: boolean[] = [];
+    const { updateMatrixWorld } = camera;
+    camera.updateMatrixWorld = (force) => {
+      updates++;
+      updateMatrixWorld.call(camera, force);
+    };
+    const note = () => void updating.push(camera.matrixWorldAutoUpdate);
+    objects[0].onBeforeRender = note;
+    scene.onAfterRender = note;
+    const counts = [0.1, 0.2].map((x) => {
+      updates = 0;
+      camera.position.x = x;
+      world.draw();
+      return [updates, camera.matrixWorldInverse.elements[12]];
+    });
+    camera.matrixWorldAutoUpdate = false;
+    updates = 0;
+    world.draw();
+    const off = [updates, camera.matrixWorldAutoUpdate];
+    world.dispose();
+    return { counts, updating: updating.slice(0, 4), off };
+  });
+  expect(seen.counts).toEqual([
+    [1, -0.1],
+    [1, -0.2],
+  ]);
+  expect(seen.updating).toEqual([true, true, true, true]);
+  expect(seen.off).toEqual([0, false]);
+});
+
 test('lights are as in stock three whether they are few enough to be uniforms, plain or not', async ({ page }) => {
   const differences = await page.evaluate(() => {
     const { Bench, compareImages, three } = window.testPage;

@@ -217,7 +217,7 @@ test.describe('on a desk', () => {
     expect(links.length).toBeGreaterThan(50);
     for (const link of links) expect((await request.get(site + link)).status(), link).toBe(200);
     const all = await (await request.get(`${site}llms-full.txt`)).text();
-    expect(all).toContain('# Start in a minute');
+    expect(all).toContain('# Get started in a minute');
     expect(all).toContain('\n## LightField\n');
   });
 });

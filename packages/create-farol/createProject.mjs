@@ -159,9 +159,9 @@ function useTarballs(folder, manifest, packed) {
 /**
  * Address of a file as package.json names it.
  *
- * @param {string} folder - of package.json, whole path
- * @param {string} file - whole path
- * @param {Pick<typeof path, 'relative'>} [paths] - of another system
+ * @param {string} folder - absolute path of the folder with package.json
+ * @param {string} file - absolute path
+ * @param {Pick<typeof path, 'relative'>} [paths] - Node's `path` of another system, for tests
  */
 export function fileSpecifier(folder, file, { relative } = path) {
   return `file:${relative(folder, file).replaceAll('\\', '/')}`;

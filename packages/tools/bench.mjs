@@ -36,7 +36,7 @@ const chosenByAuto = [
   ...['deferred', 'clustered-deferred', 'tiled-deferred'],
 ];
 
-/** Most starts of a browser in a run; each crash needs another one. */
+/** Maximum number of starts of a browser in a run; each crash needs another one. */
 const MOST_STARTS = 10;
 
 /** Figures that the table names beside those of the run. */

@@ -20,7 +20,7 @@ export async function bundleTypes({ path, manifest }) {
     external: leftToHost(manifest),
     plugins: [textModules, dts()],
     onLog(_level, { message }) {
-      // what an entry exports may use a type that no entry exports
+      // this warning is expected: an exported declaration may use a type that no entry exports
       if (!message.includes('private shared type exports')) throw new Error(message);
     },
   });

@@ -86,8 +86,8 @@ function isOfVerify(node, textOf) {
 }
 
 /**
- * Most uses of time by file, and why they are there. It may only shrink: wait for the thing itself, count work, or move
- * the test to verify.
+ * Maximum number of uses of time by file, and why they are there. It may only shrink: wait for the thing itself, count
+ * work, or move the test to verify.
  *
  * @type {readonly { file: string, most: number, reason: string }[]}
  */

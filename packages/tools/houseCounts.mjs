@@ -1,15 +1,16 @@
 import { dirname } from 'node:path/posix';
 
 /**
- * Most of each count that the repository may have. A limit only falls: whoever lowers a count lowers it. A feature may raise
- * `lines` by its own, which are of product code: TypeScript, GLSL, CSS and scripts of packages and apps, without tests.
+ * Maximum of each count that the repository may have. A limit only falls: whoever lowers a count lowers it. A feature
+ * may raise `lines` by its own, which are of product code: TypeScript, GLSL, CSS and scripts of packages and apps,
+ * without tests.
  */
 export const houseLimits = {
   riddles: 2,
   parametersWithoutDash: 0,
   tinyFiles: 6,
-  macrosAcrossFiles: 43,
-  lines: 192_360,
+  macrosAcrossFiles: 40,
+  lines: 192_620,
 };
 
 /** First words by which a docblock hides its noun. */

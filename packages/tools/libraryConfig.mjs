@@ -29,6 +29,8 @@ export function libraryConfig(folder, output = {}) {
       emptyOutDir: true,
       rolldownOptions: {
         external: leftToHost(manifest),
+        // a constant that is written out packs better than a name of its own
+        optimization: { inlineConst: { mode: 'all', pass: 3 } },
         output: {
           minify: true,
           entryFileNames: ({ facadeModuleId }) => `${names.get(normalize(facadeModuleId ?? '')) ?? 'chunks/[name]'}.js`,

@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 
 /**
  * Vite plugin: in a production build, `import text from './<name>.glsl?raw'` gives the text without comments and
- * indentation. Every line stays in its place, though it be empty, so that errors name the line of the file.
+ * indentation. Line numbers stay, so that errors name the line of the file.
  *
  * @returns {import('vite').Plugin}
  */
@@ -43,7 +43,7 @@ function tightened(line) {
     line
       .trim()
       .replace(/\s+/g, ' ')
-      // what may not be written to is passed in all the same
+      // GLSL passes `in` and `const in` parameters alike: `const` only forbids writing
       .replace(/\bconst in /g, '')
       .replace(/ ?([=+\-*/<>,;(){}?:&|!]) ?/g, (match, sign, at, whole) =>
         keepsBlank(whole, at, match) ? match : sign,

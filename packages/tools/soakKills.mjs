@@ -9,11 +9,11 @@
 /** Kinds of edits during which the tab is killed. */
 export const killModes = /** @type {const} */ (['steps', 'drag', 'objects', 'slow']);
 
-/** Between two edits (ms): of a drag, and of others. */
+/** Pause between two steps of a drag, and between two other edits (ms). */
 const DRAG_STEP = 16;
 const STEP = 60;
 
-/** Most that may be lost (ms), beside the time that the page stood still. */
+/** Longest stretch of edits that a kill may lose (ms), besides the time for which the page was blocked. */
 export const MOST_LOST = 1000;
 
 /**

@@ -1,6 +1,6 @@
 import { type Command, type CommandStack, Signal, t } from '@farol/editing';
 import { type AssetLibrary, audioOutput, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
-import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
+import { FileError, type ForeignAddress, type UnpackQuestion } from '@farol/engine/files';
 import { type SceneParameters, scenes } from '@farol/scenes';
 import { MathUtils } from 'three';
 import { actions, allActions } from './actions';
@@ -244,8 +244,9 @@ export class Editor implements EditorApi {
     }
   }
 
-  readonly mayUnpack = (sizes: UnpackQuestion): Promise<boolean> =>
-    this.dialogs.show({
+  readonly mayUnpack = async (sizes: UnpackQuestion): Promise<boolean> => {
+    const { sizesText } = await import('./files/readScene');
+    return this.dialogs.show({
       kind: 'confirm',
       title: t('A large scene'),
       text: t(
@@ -254,6 +255,7 @@ export class Editor implements EditorApi {
       ),
       action: t('Open it'),
     });
+  };
 
   async mayLoseChanges(): Promise<boolean> {
     if (!this.commands.isDirty) return true;

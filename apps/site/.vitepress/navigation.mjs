@@ -7,7 +7,7 @@ const page = (text, link) => ({ text, link });
 const guides = Object.entries(guidePages).map(([text, pages]) => ({
   text,
   items: [
-    ...(text === 'Start' ? [page('Start in a minute', '/start')] : []),
+    ...(text === 'Start' ? [page('Get started in a minute', '/start')] : []),
     ...Object.entries(pages).map(([file, name]) => page(name, `/guides/${file}`)),
   ],
 }));

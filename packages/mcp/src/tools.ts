@@ -1,6 +1,6 @@
 import { z } from 'zod';
 
-/** Most objects that one call may name, and most edits of a batch. */
+/** Maximum number of objects that one call may name, and of edits in a batch. */
 export const MOST_EDITS = 200;
 
 const finite = z.number();

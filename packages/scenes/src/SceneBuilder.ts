@@ -27,9 +27,9 @@ interface Placement {
 
 interface MovingLight {
   position: Vector3Tuple;
-  /** Candela. */
+  /** Luminous intensity (cd). */
   intensity: number;
-  /** Metres. */
+  /** Distance beyond which the light gives nothing (m). */
   range: number;
   extent: Vector3Tuple;
   speed: number;

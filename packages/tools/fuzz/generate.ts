@@ -127,7 +127,7 @@ const triangle = [
 
 const base64 = (bytes: Uint8Array): string => btoa(String.fromCharCode(...bytes));
 
-/** A triangle under a node, with an animation, instances and a skin. */
+/** A small glTF with a bit of everything: a triangle below a node, an animation, instances and a skin. */
 const gltf = (): Record<string, unknown> => ({
   asset: { version: '2.0' },
   scene: 0,
@@ -200,10 +200,10 @@ function mutateText(text: string, random: FuzzRandom): Uint8Array<ArrayBuffer> {
   return random.once(2) ? encode(pieces.join('')) : mutateBytes(encode(pieces.join('')), random);
 }
 
-/** A case of some choices: the same bytes each time. */
+/** Generates a test case; equal random choices give equal bytes. */
 export function fuzzCase(
   random: FuzzRandom,
-  // a scene as often as all others together
+  // scenes are half of all cases
   kind: FuzzKind = random.once(2) ? 'scene' : random.of(fuzzKinds),
 ): FuzzCase {
   switch (kind) {

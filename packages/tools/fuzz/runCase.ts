@@ -16,9 +16,9 @@ import type { FuzzCase } from './generate';
 
 /** Time and memory that a case may take. */
 export interface FuzzBudget {
-  /** On the reference machine of `machineSlowness`: a slower machine, or one that is busy just now, has as much more time. */
+  /** Seconds on the reference machine of `machineSlowness`; a machine that is slower or busy gets more by its factor. */
   readonly seconds: number;
-  /** Bytes, for those of the case. */
+  /** Bytes of memory that a case of a size (bytes) may take. */
   memory(bytes: number): number;
 }
 
@@ -30,7 +30,7 @@ export interface FuzzResult {
   readonly isTaken: boolean;
   /** Time of opening and saving the case, or of opening and saving the saved file: the longer one. */
   readonly seconds: number;
-  /** Bytes. */
+  /** Memory that the case took (bytes). */
   readonly memory: number;
 }
 

@@ -42,10 +42,7 @@ const FIELD = 'input, .field, [role="checkbox"], [role="combobox"], [role="slide
 
 const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
 
-/**
- * Whether the focused element handles an action itself, as a code editor with its own undo does; see
- * `data-own-actions`.
- */
+/** Whether the focused element handles an action itself, as a code editor with its own undo does; see `data-own-actions`. */
 function isOwnKey(elements: readonly Element[], action: Action): boolean {
   const owner = elements.find((each) => each.matches('[data-own-actions]')) as HTMLElement | undefined;
   return owner?.dataset.ownActions?.split(' ').includes(action.id) ?? false;

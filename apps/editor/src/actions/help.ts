@@ -30,7 +30,7 @@ export const startTour: Action = {
 const REPOSITORY = 'https://github.com/farol-renderer/farol/tree/main';
 
 const pages = [
-  ['editor', "The editor's guide", 'apps/editor#readme'],
+  ['editor', "The editor's guide", 'apps/editor/docs/using.md'],
   ['renderer', 'Guide to techniques and lights', 'packages/renderer#readme'],
   ['microshaders', 'Guide to effects and microshaders', 'packages/renderer/docs/authoring.md'],
   ['limits', 'What the techniques cannot do', 'packages/renderer/docs/limits.md'],
@@ -54,7 +54,7 @@ const apps = [
 export const otherApps: readonly Action[] = apps.map(([app, label]) => ({
   id: `help.app.${app}`,
   label,
-  run: async () => (await import('@farol/engine/files')).openBeside(app, t(label)),
+  run: async () => (await import('../files/readScene')).openBeside(app, t(label)),
 }));
 
 /** Shows version and licence. */

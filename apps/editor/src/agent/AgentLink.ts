@@ -5,7 +5,7 @@ import { liveSocket } from '../files/live/liveParts';
 import { readableText } from '../model/readableText';
 import { runTool } from './runTool';
 
-/** Most calls that wait for their turn; more are refused. */
+/** Maximum number of calls that wait for their turn; more are refused. */
 const MOST_WAITING = 32;
 
 /** Letters of a client's name that are shown. */

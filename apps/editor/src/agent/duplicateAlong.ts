@@ -16,7 +16,7 @@ import { findObject, findObjects } from './findObjects';
 
 type Input = ToolInput<'duplicate_along'>;
 
-/** Most objects that a call makes, as the editor's own tool. */
+/** Maximum number of objects that a call makes, as the editor's own tool. */
 const MOST = 2000;
 
 const arrangementOf = (input: Input): Arrangement => ({

@@ -5,7 +5,7 @@ import { runBatch, runEdits } from './editTools';
 import { describeType, getLights, getMessages, getObjects, getScene } from './readTools';
 import { takeScreenshot } from './screenshot';
 
-/** Most letters of an answer. */
+/** Maximum number of letters of an answer. */
 const MOST_LETTERS = 4_000_000;
 
 type EditName = keyof typeof edits;

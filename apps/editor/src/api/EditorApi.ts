@@ -118,10 +118,7 @@ export interface EditorApi {
   saved(file: OpenFile, step: Command | null): void;
   /** The scene as JSON text, in the file format. */
   serialize(): string;
-  /**
-   * Opens one of the engine's demo scenes. @throws Error (as a rejection) when it cannot be made; the present scene
-   * stays
-   */
+  /** Opens one of the engine's demo scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
   openScene(name: string, parameters?: SceneParameters): Promise<void>;
   /** Opens one of `samples`. @throws Error (as a rejection) when it cannot be made or read; the present scene stays */
   openSample(name: string): Promise<void>;

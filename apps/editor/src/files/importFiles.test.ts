@@ -100,7 +100,7 @@ test('many files of one size, of which none is there, and of one name are taken 
   const { names } = await importFiles(editor, files);
   expect(new Set(names).size).toBe(count);
   expect(document.assets.has(`triangle ${count}.ply`)).toBe(true);
-  // each is read for loading and for comparison only
+  // a file is read to load it and to compare it with assets of its size, not with every other file
   expect(read.mock.calls.length).toBeLessThan(count * 4);
   read.mockRestore();
 });

@@ -23,10 +23,7 @@ import { landInPicture } from './landInPicture';
 export interface DropPlace {
   /** Parent of the new object; the scene when absent. */
   readonly parent?: Container;
-  /**
-   * Page position (CSS pixels); the centre of the viewport when absent. Below a parent the object is at the parent's
-   * origin.
-   */
+  /** Page position (CSS pixels); the centre of the viewport when absent. Below a parent the object is at the parent's origin. */
   readonly at?: { readonly x: number; readonly y: number };
   /** Object under the pointer, for assets that are assigned to objects. */
   readonly target?: GameObject | null;

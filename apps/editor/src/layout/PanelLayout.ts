@@ -28,7 +28,7 @@ interface LayoutState {
 /** Greatest share of the window's height that a panel takes by itself. */
 const LARGEST_HEIGHT = 0.45;
 
-/** Least and greatest share of the dock that the panel of a small window takes. */
+/** Smallest and largest share of the dock that the panel of a small window takes. */
 const LEAST_SHARE = 0.2;
 const LARGEST_SHARE = 0.8;
 

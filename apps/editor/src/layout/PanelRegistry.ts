@@ -14,7 +14,7 @@ export interface Panel {
   /** Whether the panel is open by default; true when absent. The Panels menu opens others. */
   readonly isOpen?: boolean;
   /**
-   * Least useful height (CSS pixels): opening the panel at the bottom grows it so far, at most to 45% of the window,
+   * Smallest useful height (CSS pixels): opening the panel at the bottom grows it so far, at most to 45% of the window,
    * unless the user has sized panels. Any when absent.
    */
   readonly height?: number;

@@ -31,7 +31,7 @@ export interface ProblemsDialog {
 export interface WorkProgress {
   /** Emits when the rest has changed. */
   readonly changed: Signal;
-  /** From 0 to 1. */
+  /** Part of the task that is done, 0 to 1. */
   readonly share: number;
   readonly text: string;
 }

@@ -76,20 +76,14 @@ export class DocumentScripts {
     return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
   }
 
-  /**
-   * Switches scripts off, in this scene and those opened next, until the user switches them on; `framed` ones cannot
-   * be.
-   */
+  /** Switches scripts off, in this scene and those opened next, until the user switches them on; `framed` ones cannot be. */
   hold(reason: OffReason): void {
     this.isOn = false;
     this.held = this.question = reason;
     this.changed.emit();
   }
 
-  /**
-   * Switches all scripts off, because some came into this scene from elsewhere, until the user decides whether they
-   * run.
-   */
+  /** Switches all scripts off, because some came into this scene from elsewhere, until the user decides whether they run. */
   ask(): void {
     if (!this.isWanted) return;
     this.question = 'foreign';

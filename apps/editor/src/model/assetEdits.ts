@@ -86,10 +86,7 @@ function checkedName(assets: AssetLibrary, from: string, to: string): string {
   return isFile && ending !== '' && !name.toLowerCase().endsWith(ending.toLowerCase()) ? name + ending : name;
 }
 
-/**
- * Renames an asset; the name includes its folder, and a file keeps its extension. @throws AssetError when the name is
- * taken
- */
+/** Renames an asset; the name includes its folder, and a file keeps its extension. @throws AssetError when the name is taken */
 export function renameAsset(scene: Scene, from: string, to: string): Command {
   const { assets } = scene;
   const name = checkedName(assets, from, to);

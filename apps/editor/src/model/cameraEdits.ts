@@ -17,7 +17,7 @@ export interface CameraView extends WorldPose {
   readonly fov: number;
   /** Height of an orthographic view (m); null for perspective. */
   readonly size: number | null;
-  /** Least distance of the camera's far plane (m). */
+  /** Smallest distance of the camera's far plane (m). */
   readonly far: number;
 }
 

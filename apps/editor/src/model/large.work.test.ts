@@ -8,7 +8,7 @@ import { deleteObjects, duplicateObjects, moveObjects, setActive } from './edits
 import { groupObjects, ungroupObjects } from './groupObjects';
 import { UniqueNames } from './UniqueNames';
 
-/** Most growth of work for four times as many objects: linear, with some slack. */
+/** Largest growth of work for four times as many objects: linear, with some slack. */
 const LINEAR = 4.5;
 
 function sceneOf(count: number, name: (i: number) => string): Scene {

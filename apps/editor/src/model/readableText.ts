@@ -7,9 +7,6 @@ const UNREADABLE =
 /** Longest message shown (characters), longer than any of Farol's own. */
 const MOST = 2000;
 
-/**
- * A message with unreadable characters, such as those of a binary file, replaced by '…' per run, and cut off after
- * 2,000.
- */
+/** A message with unreadable characters, such as those of a binary file, replaced by '…' per run, and cut off after 2,000. */
 export const readableText = (text: string): string =>
   `${text.slice(0, MOST)}${text.length > MOST ? '…' : ''}`.replace(UNREADABLE, '…');

@@ -13,6 +13,7 @@ export class BoxSelect {
   private readonly element = document.createElement('div');
   private readonly from = new Vector2();
   private readonly to = new Vector2();
+  private readonly listening = new AbortController();
   private pointer: number | null = null;
   private isOpen = false;
   /** Finds the objects in a box; null until its code was fetched. */
@@ -23,21 +24,17 @@ export class BoxSelect {
     this.element.hidden = true;
     const { canvas } = viewport;
     // registered before the camera's own listener
-    canvas.addEventListener('pointerdown', this.pointerDown, true);
-    canvas.addEventListener('pointermove', this.pointerMove);
-    canvas.addEventListener('pointerup', this.pointerUp);
-    canvas.addEventListener('pointercancel', this.cancel);
-    window.addEventListener('keydown', this.keyDown, true);
+    const { signal } = this.listening;
+    canvas.addEventListener('pointerdown', this.pointerDown, { capture: true, signal });
+    canvas.addEventListener('pointermove', this.pointerMove, { signal });
+    canvas.addEventListener('pointerup', this.pointerUp, { signal });
+    canvas.addEventListener('pointercancel', this.cancel, { signal });
+    window.addEventListener('keydown', this.keyDown, { capture: true, signal });
   }
 
   dispose(): void {
-    const { canvas } = this.viewport;
     this.cancel();
-    canvas.removeEventListener('pointerdown', this.pointerDown, true);
-    canvas.removeEventListener('pointermove', this.pointerMove);
-    canvas.removeEventListener('pointerup', this.pointerUp);
-    canvas.removeEventListener('pointercancel', this.cancel);
-    window.removeEventListener('keydown', this.keyDown, true);
+    this.listening.abort();
     this.element.remove();
   }
 

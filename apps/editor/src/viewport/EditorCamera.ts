@@ -1,48 +1,27 @@
 import type { CameraComponent } from '@farol/engine';
-import CameraControls from 'camera-controls';
+import type CameraControls from 'camera-controls';
 import {
-  Box3,
+  type Box3,
   type Camera,
   MathUtils,
-  Matrix4,
   type OrthographicCamera,
   PerspectiveCamera,
-  Quaternion,
-  Raycaster,
   Sphere,
   Spherical,
-  Vector2,
   Vector3,
-  Vector4,
 } from 'three';
-import { FlyControls } from './FlyControls';
+import type { FlyControls } from './FlyControls';
 import { OrthographicTwin } from './OrthographicTwin';
+import type { PointerControls } from './PointerControls';
 import type { ViewPose } from './ViewPose';
 
-CameraControls.install({
-  THREE: { Vector2, Vector3, Vector4, Quaternion, Matrix4, Spherical, Box3, Sphere, Raycaster },
-});
-const { ACTION } = CameraControls;
+/** Range of the orbit distance (m). */
+export const NEAREST = 0.05;
+export const FARTHEST = 2000;
 
 /** Orbit distance (m) when nothing is hit, not even the ground; and the longest one. */
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
-
-/** Movement for each key while the canvas has focus: angles (rad); with Shift, + and - shares of the orbit distance. */
-const nudges: Readonly<
-  Record<string, { azimuth?: number; polar?: number; right?: number; up?: number; closer?: number }>
-> = {
-  ArrowLeft: { azimuth: -0.12 },
-  ArrowRight: { azimuth: 0.12 },
-  ArrowUp: { polar: -0.08 },
-  ArrowDown: { polar: 0.08 },
-  'Shift+ArrowLeft': { right: -0.06 },
-  'Shift+ArrowRight': { right: 0.06 },
-  'Shift+ArrowUp': { up: 0.06 },
-  'Shift+ArrowDown': { up: -0.06 },
-  '+': { closer: 0.15 },
-  '-': { closer: -0.15 },
-};
 
 /** Aspect ratio from which a view counts as wide. */
 const WIDE = 16 / 9;
@@ -52,19 +31,20 @@ const SIDE_REACH = 1e-3;
 
 const eye = new Vector3();
 const front = new Vector3();
-const angles = new Spherical();
+const offset = new Vector3();
 const calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 /**
- * The editor's own camera. Left button orbits; middle, or Shift and left, pans; the wheel zooms towards the pointer;
- * the right button looks around and flies. One finger orbits, two pan and zoom. The controls move a perspective camera;
- * its orthographic twin renders views without perspective, matching it at the distance of the target.
+ * The editor's own camera. PointerControls move a perspective camera; its orthographic twin renders views without
+ * perspective, matching it at the distance of the target. Until it has controls it does not glide.
  */
 export class EditorCamera {
   readonly perspective = new PerspectiveCamera(50, 1, 0.05, 1000);
-  readonly fly: FlyControls;
 
-  private readonly controls: CameraControls;
+  private controls: PointerControls | null = null;
+  /** Pose of the perspective camera as long as there are no controls (world). */
+  private readonly eye = new Vector3(0, 0, DEFAULT_DISTANCE);
+  private readonly aim = new Vector3();
   private readonly flat = new OrthographicTwin();
   private isFlat = false;
   /** Angles of an orthographic axis-aligned view, kept until the user orbits; null for none. */
@@ -76,34 +56,30 @@ export class EditorCamera {
   private isWanted = true;
   private isAllowed = true;
   private isActive = false;
+  private isSoft = !calm();
 
   /** @param hasKeys - asked at each key press whether the controls may use it */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly hasKeys: () => boolean = () => true,
-  ) {
-    const controls = new CameraControls(this.perspective, canvas);
-    controls.mouseButtons = {
-      left: ACTION.ROTATE,
-      middle: ACTION.TRUCK,
-      right: ACTION.NONE,
-      wheel: ACTION.DOLLY,
-    };
-    controls.touches = { one: ACTION.TOUCH_ROTATE, two: ACTION.TOUCH_DOLLY_TRUCK, three: ACTION.NONE };
-    controls.dollyToCursor = true;
-    controls.minDistance = 0.05;
-    controls.maxDistance = 2000;
-    this.controls = controls;
-    controls.enabled = false;
-    this.glides = true;
-    this.fly = new FlyControls(
-      canvas,
-      controls,
-      () => this.controls.enabled,
-      () => this.isFlat && this.side === null,
-    );
-    canvas.addEventListener('pointerdown', this.chooseAction, true);
-    canvas.addEventListener('keydown', this.keyDown);
+  ) {}
+
+  /** Lets pointer, wheel and keys move the camera; once is enough. */
+  control(Controls: typeof PointerControls): void {
+    if (this.controls) return;
+    this.controls = new Controls(this.perspective, this.canvas, {
+      isEnabled: () => this.enabled,
+      hasKeys: this.hasKeys,
+      isFlat: () => this.isFlat && this.side === null,
+    });
+    this.enable();
+    this.smooth();
+    this.place(this.eye, this.aim, false);
+  }
+
+  /** Flight with the right button; null until there are controls. */
+  get fly(): FlyControls | null {
+    return this.controls?.fly ?? null;
   }
 
   get camera(): PerspectiveCamera | OrthographicCamera {
@@ -127,14 +103,14 @@ export class EditorCamera {
 
   /** Height of the view at the distance of the target (m). */
   get height(): number {
-    return 2 * this.controls.distance * Math.tan((this.perspective.fov * MathUtils.DEG2RAD) / 2);
+    return 2 * this.distance * Math.tan((this.perspective.fov * MathUtils.DEG2RAD) / 2);
   }
 
   /** The pose that the camera has, or is gliding to. */
   get pose(): ViewPose {
     return {
-      position: this.controls.getPosition(new Vector3()).toArray(),
-      target: this.controls.getTarget(new Vector3()).toArray(),
+      position: (this.orbiter?.getPosition(new Vector3()) ?? this.eye).toArray(),
+      target: (this.orbiter?.getTarget(new Vector3()) ?? this.aim).toArray(),
       fov: this.fov * MathUtils.DEG2RAD,
       orthographic: this.isFlat,
     };
@@ -142,7 +118,7 @@ export class EditorCamera {
 
   /** False while something else, such as the gizmo, uses the pointer. */
   get enabled(): boolean {
-    return this.controls.enabled;
+    return this.isWanted && this.isAllowed && this.isActive;
   }
 
   set enabled(enabled: boolean) {
@@ -164,30 +140,34 @@ export class EditorCamera {
 
   /** Distance from the eye to the target (m). */
   get distance(): number {
-    return this.controls.distance;
+    return this.orbiter?.distance ?? this.eye.distanceTo(this.aim);
   }
 
-  /** Whether movements are damped; never when the user prefers reduced motion. */
+  /** Whether movements are damped; never when the user prefers reduced motion, nor without controls. */
+  get glides(): boolean {
+    return this.controls !== null && this.isSoft;
+  }
+
   set glides(glides: boolean) {
-    const isSoft = glides && !calm();
-    this.controls.smoothTime = isSoft ? 0.12 : 0;
-    this.controls.draggingSmoothTime = isSoft ? 0.04 : 0;
+    this.isSoft = glides && !calm();
+    this.smooth();
   }
 
   /** Whether one finger orbits; two always pan and zoom. */
   set oneFinger(orbits: boolean) {
-    this.controls.touches.one = orbits ? ACTION.TOUCH_ROTATE : ACTION.NONE;
+    if (this.controls) this.controls.oneFinger = orbits;
   }
 
   /** A copy of the orbit target (world). */
   get target(): Vector3 {
-    return this.controls.getTarget(new Vector3(), false);
+    return this.orbiter?.getTarget(new Vector3(), false) ?? this.aim.clone();
   }
 
   /** Advances the camera's movement. @returns whether the view changed */
   update(deltaSeconds: number): boolean {
-    const flew = this.fly.update(deltaSeconds);
-    const moved = this.controls.update(deltaSeconds) || flew;
+    if (!this.controls) return false;
+    const flew = this.controls.fly.update(deltaSeconds);
+    const moved = this.controls.orbit.update(deltaSeconds) || flew;
     if (!moved) return false;
     if (this.side && this.hasTurnedFrom(this.side)) this.orthographic = false;
     this.follow();
@@ -207,22 +187,23 @@ export class EditorCamera {
   /** Frames a box (world) from the current direction. @param animate - whether to glide there */
   focus(box: Box3, animate = true): void {
     const sphere = box.getBoundingSphere(new Sphere());
-    sphere.radius = Math.max(sphere.radius * 1.15, 0.5);
-    const glide = animate && this.controls.smoothTime > 0;
-    void this.controls.fitToSphere(sphere, glide);
-    if (!glide) this.settle();
+    const radius = Math.max(sphere.radius * 1.15, 0.5);
+    const { fov, aspect } = this.perspective;
+    const narrower = Math.atan(Math.tan((fov * MathUtils.DEG2RAD) / 2) * Math.min(1, aspect));
+    const { phi, theta } = this.angles();
+    const distance = MathUtils.clamp(radius / Math.sin(narrower), NEAREST, FARTHEST);
+    eye.setFromSphericalCoords(distance, phi, theta).add(sphere.center);
+    this.place(eye, sphere.center, animate);
   }
 
   /** Sets the pose. @param animate - whether to glide there */
   show(pose: ViewPose, animate = true): void {
-    const glide = animate && this.controls.smoothTime > 0;
     this.fov = pose.fov * MathUtils.RAD2DEG;
     this.widens = true;
     this.orthographic = pose.orthographic;
     this.resize(this.perspective.aspect, 1);
-    void this.controls.setLookAt(...pose.position, ...pose.target, glide);
-    if (glide) this.turnTo(this.controls.getSpherical(new Spherical()));
-    else this.settle();
+    this.place(eye.fromArray(pose.position), front.fromArray(pose.target), animate);
+    if (animate && this.glides) this.turnTo(this.angles());
   }
 
   /**
@@ -245,9 +226,7 @@ export class EditorCamera {
       const toGround = front.y < 0 ? -eye.y / front.y : DEFAULT_DISTANCE;
       distance = Math.min(distanceTo(three) ?? toGround, FARTHEST_TARGET);
     } else distance = three.top / three.zoom / Math.tan((this.fov * MathUtils.DEG2RAD) / 2);
-    front.multiplyScalar(Math.max(distance, this.controls.minDistance)).add(eye);
-    void this.controls.setLookAt(eye.x, eye.y, eye.z, front.x, front.y, front.z, false);
-    this.settle();
+    this.place(eye, front.multiplyScalar(Math.max(distance, NEAREST)).add(eye), false);
   }
 
   /**
@@ -256,80 +235,92 @@ export class EditorCamera {
    * @param flat - orthographic; a perspective view returns when the user orbits
    */
   lookFrom(direction: Vector3, flat = false): void {
-    const { controls } = this;
-    const target = this.target;
+    const { x, y, z } = this.target;
     const returns = this.side !== null || !this.isFlat;
-    void controls.setTarget(target.x, target.y, target.z, false);
+    void this.orbiter?.setTarget(x, y, z, false);
     this.turnTo(new Spherical().setFromVector3(direction));
     if (flat) {
       this.orthographic = true;
-      this.side = returns ? controls.getSpherical(new Spherical()) : null;
+      this.side = returns ? this.angles() : null;
     }
-    if (controls.smoothTime === 0) this.settle();
+    if (!this.glides) this.settle();
   }
 
   /** Orbits the target. @param azimuth - to the right (rad) @param polar - downwards (rad) */
   orbit(azimuth: number, polar: number): void {
-    void this.controls.rotate(azimuth, polar, true);
+    if (this.orbiter) return void this.orbiter.rotate(azimuth, polar, true);
+    const { phi, theta } = this.angles();
+    this.turnTo(new Spherical(1, phi + polar, theta + azimuth));
+    this.settle();
   }
 
   /** Registers the pointer listeners again, after those that the canvas has now. */
   listenLast(): void {
-    this.controls.disconnect();
-    this.controls.connect(this.canvas);
+    this.controls?.listenLast();
   }
 
   dispose(): void {
-    this.canvas.removeEventListener('pointerdown', this.chooseAction, true);
-    this.canvas.removeEventListener('keydown', this.keyDown);
-    this.fly.dispose();
-    this.controls.dispose();
+    this.controls?.dispose();
+  }
+
+  private get orbiter(): CameraControls | undefined {
+    return this.controls?.orbit;
   }
 
   private enable(): void {
-    const enabled = this.isWanted && this.isAllowed && this.isActive;
-    if (this.controls.enabled !== enabled) this.controls.enabled = enabled;
+    const { orbiter, enabled } = this;
+    if (orbiter && orbiter.enabled !== enabled) orbiter.enabled = enabled;
+  }
+
+  private smooth(): void {
+    const { orbiter, isSoft } = this;
+    if (!orbiter) return;
+    orbiter.smoothTime = isSoft ? 0.12 : 0;
+    orbiter.draggingSmoothTime = isSoft ? 0.04 : 0;
+  }
+
+  /** Places the camera at a point, looking at another one. @param animate - whether to glide there if it can */
+  private place(position: Vector3, target: Vector3, animate: boolean): void {
+    const glide = animate && this.glides;
+    void this.orbiter?.setLookAt(...position.toArray(), ...target.toArray(), glide);
+    this.eye.copy(position);
+    this.aim.copy(target);
+    if (!glide) this.settle();
+  }
+
+  /** Angles and distance of the camera from the target, at the end of a glide. */
+  private angles(): Spherical {
+    const angles = new Spherical();
+    return (
+      this.orbiter?.getSpherical(angles) ?? angles.setFromVector3(offset.subVectors(this.eye, this.aim)).makeSafe()
+    );
   }
 
   private follow(): void {
-    if (this.isFlat) this.flat.follow(this.perspective, this.controls.distance);
+    if (this.isFlat) this.flat.follow(this.perspective, this.distance);
   }
 
   /** Rotates to angles by the shorter way round. */
   private turnTo({ theta, phi }: Spherical): void {
-    const { controls } = this;
-    const turns = Math.round((controls.azimuthAngle - theta) / (2 * Math.PI));
-    void controls.rotateTo(theta + turns * 2 * Math.PI, phi, controls.smoothTime > 0);
+    const { orbiter } = this;
+    if (!orbiter) return void this.eye.setFromSphericalCoords(this.distance, phi, theta).add(this.aim);
+    const turns = Math.round((orbiter.azimuthAngle - theta) / (2 * Math.PI));
+    void orbiter.rotateTo(theta + turns * 2 * Math.PI, phi, this.glides);
   }
 
   private settle(): void {
-    this.controls.update(0);
+    const { orbiter, perspective, aim } = this;
+    if (orbiter) orbiter.update(0);
+    else {
+      perspective.position.setFromSpherical(this.angles()).add(aim);
+      perspective.lookAt(aim);
+      perspective.updateMatrixWorld();
+    }
     this.follow();
   }
 
   private hasTurnedFrom(side: Spherical): boolean {
-    this.controls.getSpherical(angles);
-    return Math.abs(angles.theta - side.theta) > SIDE_REACH || Math.abs(angles.phi - side.phi) > SIDE_REACH;
+    const { theta, phi } = this.angles();
+    return Math.abs(theta - side.theta) > SIDE_REACH || Math.abs(phi - side.phi) > SIDE_REACH;
   }
-
-  private readonly chooseAction = (event: PointerEvent): void => {
-    this.controls.mouseButtons.left = event.shiftKey ? ACTION.TRUCK : ACTION.ROTATE;
-  };
-
-  private readonly keyDown = (event: KeyboardEvent): void => {
-    if (event.ctrlKey || event.metaKey || event.altKey || !this.enabled || !this.hasKeys()) return;
-    const {
-      azimuth = 0,
-      polar = 0,
-      right = 0,
-      up = 0,
-      closer = 0,
-    } = nudges[event.shiftKey && event.key.length > 1 ? `Shift+${event.key}` : event.key] ?? {};
-    const { controls } = this;
-    if (azimuth !== 0 || polar !== 0) void controls.rotate(azimuth, polar, true);
-    else if (right !== 0 || up !== 0) void controls.truck(right * controls.distance, -up * controls.distance, true);
-    else if (closer !== 0) void controls.dolly(closer * controls.distance, true);
-    else return;
-    event.preventDefault();
-  };
 }

@@ -40,6 +40,7 @@ export class FlyControls {
 
   /** Whether keys or the wheel were used since the button was last pressed. */
   flew = false;
+  private readonly listening = new AbortController();
   private pointer: number | null = null;
   private readonly held = new Set<string>();
   private fast = false;
@@ -58,15 +59,16 @@ export class FlyControls {
     private readonly isEnabled: () => boolean,
     private readonly isFlat: () => boolean,
   ) {
-    canvas.addEventListener('pointerdown', this.pointerDown);
-    canvas.addEventListener('pointermove', this.pointerMove);
-    canvas.addEventListener('pointerup', this.pointerUp);
-    canvas.addEventListener('lostpointercapture', this.pointerUp);
-    canvas.addEventListener('wheel', this.wheel, { capture: true, passive: false });
-    canvas.addEventListener('contextmenu', this.prevent);
-    window.addEventListener('keydown', this.keyDown, true);
-    window.addEventListener('keyup', this.keyUp, true);
-    window.addEventListener('blur', this.end);
+    const { signal } = this.listening;
+    canvas.addEventListener('pointerdown', this.pointerDown, { signal });
+    canvas.addEventListener('pointermove', this.pointerMove, { signal });
+    canvas.addEventListener('pointerup', this.pointerUp, { signal });
+    canvas.addEventListener('lostpointercapture', this.pointerUp, { signal });
+    canvas.addEventListener('wheel', this.wheel, { capture: true, passive: false, signal });
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+    window.addEventListener('keydown', this.keyDown, { capture: true, signal });
+    window.addEventListener('keyup', this.keyUp, { capture: true, signal });
+    window.addEventListener('blur', this.end, { signal });
   }
 
   get isFlying(): boolean {
@@ -99,16 +101,7 @@ export class FlyControls {
   }
 
   dispose(): void {
-    const { canvas } = this;
-    canvas.removeEventListener('pointerdown', this.pointerDown);
-    canvas.removeEventListener('pointermove', this.pointerMove);
-    canvas.removeEventListener('pointerup', this.pointerUp);
-    canvas.removeEventListener('lostpointercapture', this.pointerUp);
-    canvas.removeEventListener('wheel', this.wheel, true);
-    canvas.removeEventListener('contextmenu', this.prevent);
-    window.removeEventListener('keydown', this.keyDown, true);
-    window.removeEventListener('keyup', this.keyUp, true);
-    window.removeEventListener('blur', this.end);
+    this.listening.abort();
   }
 
   /**
@@ -195,6 +188,4 @@ export class FlyControls {
     this.yaw = 0;
     this.pitch = 0;
   };
-
-  private readonly prevent = (event: Event): void => event.preventDefault();
 }

@@ -3,6 +3,8 @@ export interface FrameWork {
   /** Advances time. @param seconds - since the last animation frame; 0 at first @returns whether to draw */
   advance(seconds: number): boolean;
   draw(): void;
+  /** Frames that a request takes; a frame may tell that fewer do. */
+  frames(): number;
   /** Called with an error that `draw` has thrown. */
   failed(error: unknown): void;
   /** Called instead of `draw` while nothing changes. */
@@ -42,11 +44,12 @@ export class FrameLoop {
     this.last = now;
     const isNeeded = this.work.advance(seconds);
     if (!isNeeded && !this.continuous && this.pending === 0) return this.work.rest();
-    this.pending = Math.max(0, this.pending - 1);
+    const left = (this.pending = Math.max(0, this.pending - 1));
     try {
       this.work.draw();
     } catch (error) {
       this.work.failed(error);
     }
+    if (this.pending === left) this.pending = Math.min(left, this.work.frames() - 1);
   };
 }

@@ -55,7 +55,7 @@ export class MenuPress {
 
   private readonly pointerUp = (event: PointerEvent): void => {
     if (event.pointerId !== this.pointer) return;
-    const clicks = event.pointerType === 'mouse' && !this.viewport.editorCamera.fly.flew;
+    const clicks = event.pointerType === 'mouse' && !this.viewport.editorCamera.fly?.flew;
     this.cancel();
     if (clicks && !this.viewport.gizmo.isDragging) this.fire();
   };

@@ -89,6 +89,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.loop = new FrameLoop({
       advance: (seconds) => this.advance(seconds),
       draw: () => this.drawFrame(),
+      frames: () => this.picture.effects.frames,
       failed,
       rest: () => this.farol.updateTimes() && this.timed.emit(),
     });
@@ -263,10 +264,9 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
 
   private drawFrame(): void {
     const { width, height } = this.place;
-    const { scene } = this.document;
-    this.picture.follow(scene);
+    this.picture.follow(this.document.scene);
     this.drawing.drawAll(width, height);
-    this.picture.effects.update(scene.settings);
+    this.picture.effects.update(this.document.scene.settings);
     this.noticeTechnique();
     this.parts.drawPreview(width, height);
     this.statistics.add(performance.now());

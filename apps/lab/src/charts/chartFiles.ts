@@ -5,7 +5,7 @@ import { chartsOf } from './chartsOf';
 import { sourceOf } from './runNames';
 
 export interface ChartFile {
-  /** Lower-kebab, without an ending. */
+  /** File name in lower kebab case, without extension. */
   readonly name: string;
   readonly svg: string;
 }

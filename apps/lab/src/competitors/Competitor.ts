@@ -1,7 +1,7 @@
 import type { LightKind, Shading } from '../plan/lightKinds';
 import type { StageScene } from '../stage/StageScene';
 
-/** A competitor open for one case. */
+/** Canvas of a competitor that has been made ready to draw one case of a run. */
 export interface Drawing {
   /** Context whose frames are awaited and timed; null with WebGPU. */
   readonly gl: WebGL2RenderingContext | null;

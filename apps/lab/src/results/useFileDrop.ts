@@ -22,16 +22,13 @@ export function useFileDrop(onFiles: (files: File[]) => void): boolean {
       setOver(false);
       onFiles([...event.dataTransfer!.files]);
     };
-    addEventListener('dragenter', over);
-    addEventListener('dragover', over);
-    addEventListener('dragleave', leave);
-    addEventListener('drop', drop);
-    return () => {
-      removeEventListener('dragenter', over);
-      removeEventListener('dragover', over);
-      removeEventListener('dragleave', leave);
-      removeEventListener('drop', drop);
-    };
+    const end = new AbortController();
+    const { signal } = end;
+    addEventListener('dragenter', over, { signal });
+    addEventListener('dragover', over, { signal });
+    addEventListener('dragleave', leave, { signal });
+    addEventListener('drop', drop, { signal });
+    return () => end.abort();
   }, [onFiles]);
   return isOver;
 }

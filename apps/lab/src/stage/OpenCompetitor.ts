@@ -26,7 +26,7 @@ const BEFORE_TIMES = 12;
 /** Lights added for the frame after a change of the lights. */
 const ADDED = 10;
 
-/** A competitor open for a case, with its canvas and its scene. */
+/** A competitor that has been made ready to draw one case of a run, with its canvas and its scene. */
 export class OpenCompetitor {
   private drawn = 0;
   private timer: GpuTimer | null | undefined;

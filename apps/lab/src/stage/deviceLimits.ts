@@ -6,9 +6,9 @@ export interface DeviceLimits {
   readonly renderer: string;
   /** Whether the device has timer queries. */
   readonly timer: boolean;
-  /** Most uniform vectors of a fragment shader. */
+  /** Maximum number of uniform vectors of a fragment shader. */
   readonly fragmentUniforms: number;
-  /** Most textures of a fragment shader. */
+  /** Maximum number of textures of a fragment shader. */
   readonly textures: number;
   /** Whether programs compile in parallel with the page (KHR_parallel_shader_compile). */
   readonly compilesBeside: boolean;

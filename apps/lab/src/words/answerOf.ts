@@ -2,7 +2,7 @@ import type { LabRun } from '../results/LabRun';
 import { casesOf } from './seriesCases';
 import { type Winners, winnersOf } from './winners';
 
-/** Most lights of a case with few lights, and fewest of one with many. */
+/** Largest number of lights of a case with few lights, and smallest of a case with many. */
 export const [FEW, MANY] = [30, 100];
 
 /** Fastest competitor of a run over its cases. */
@@ -17,7 +17,7 @@ export interface Answer {
   readonly many: string | null;
 }
 
-/** Which competitor is fastest, by frame times; null while no case has two times. */
+/** Fastest competitor by frame times; null while no case has two times. */
 export function answerOf(run: LabRun): Answer | null {
   const contests = casesOf(run).flatMap(({ series, index, labCase }) => {
     const winners = winnersOf(run, series, index, 'frame');

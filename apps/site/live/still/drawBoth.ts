@@ -82,7 +82,7 @@ function takeAway(farol: FarolRenderer): string[] {
       microshaders.remove(name);
       leftOut.push(`microshader ${name}`);
     } catch {
-      // it was not edited
+      // throws for a chunk that was never edited: nothing to leave out
     }
   }
   return leftOut;

@@ -46,7 +46,7 @@ sky.addComponent(Light, { type: 'ambient', intensity: 0.25 });
 function box(name: string, label: string, part: Component | GameObject): HTMLLabelElement {
   const input = document.createElement('input');
   Object.assign(input, { type: 'checkbox', name, checked: true });
-  // shows only as time goes by
+  // this switch has no visible effect while the scene stands still
   if (part instanceof RandomMovement) input.dataset.moves = '';
   input.addEventListener('change', () => {
     if (part instanceof GameObject) part.active = input.checked;

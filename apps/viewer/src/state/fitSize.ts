@@ -22,7 +22,7 @@ export function fitSize(width: number, height: number, dpr: number, side: number
   return { dpr: fits, problem };
 }
 
-/** Most pixels per side that a device draws; infinite on a lost context, which answers null to every question. */
+/** Maximum number of pixels a side that a device draws; infinite on a lost context, which answers null to every question. */
 export function largestSide(gl: WebGLRenderingContext | WebGL2RenderingContext): number {
   const [width, height] = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
   const limits = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => gl.getParameter(name) as number);

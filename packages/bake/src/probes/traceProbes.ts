@@ -22,7 +22,7 @@ const FLOATS = 27;
 /** Number of probes in a row of the targets. */
 const WIDTH = 64;
 const SAMPLES_OF_A_DRAW = 16;
-/** Least samples of a probe: with fewer, even uniform light would be wrong by a hundredth. */
+/** Smallest number of samples of a probe: with fewer, even uniform light would be wrong by a hundredth. */
 const LEAST_SAMPLES = 1024;
 
 export interface ProbeTrace {

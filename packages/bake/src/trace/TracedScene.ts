@@ -53,7 +53,7 @@ export class TracedScene {
     this.masks.dispose();
   }
 
-  /** Eight a range: lightmap, mask, test and opacity; both sides, no shadow, luminance of what it emits. */
+  /** Table of materials, eight numbers each: lightmap, mask, alpha test, opacity; double sided, shadowless, emission, unused. */
   private rangesTable({ ranges }: MergedTriangles): Float32Array {
     return Float32Array.from(
       ranges.flatMap(({ lightmap, material, isDoubleSided, throwsShadow }) => {

@@ -18,7 +18,7 @@ export interface Charts {
 /** Chart index of triangles that are in no chart. */
 export const NO_CHART = 0xffffffff;
 
-/** Triangles of a chart from which on growing it takes xatlas more than its share of the time. */
+/** Triangles after which xatlas ends a chart: the time to grow one rises faster than its size. */
 const TRIANGLES_OF_A_CHART = 1500;
 /** Texels along the side of a square of the whole surface's area, while charts are laid out. */
 const RESOLUTION = 1024;

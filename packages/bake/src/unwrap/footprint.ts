@@ -13,11 +13,11 @@ export interface Footprint {
   /** Scale of u, in texels per metre; likewise `scaleV`. */
   readonly scaleU: number;
   readonly scaleV: number;
-  /** Texels that it touches, the longest run first. */
+  /** Texels that the chart touches, the longest run first. */
   readonly touched: Runs;
   /** Touched texels and those within the padding; rows and columns may be negative. */
   readonly padded: Runs;
-  /** Texels that it needs: what it touches, and half of the padding round that. */
+  /** Number of texels that the chart needs: those that it touches, and half of the padding around them. */
   readonly need: number;
 }
 

@@ -97,7 +97,7 @@ export function materialValuesOf(
   return Object.fromEntries(values.filter(([name, value]) => !sameValue(value, materialAssetFields[name].default)));
 }
 
-/** Least and greatest thickness of the film (nm), which versions of three before 0.187 have as a pair. */
+/** Smallest and largest thickness of the film (nm), which versions of three before 0.187 have as a pair. */
 function filmThickness(material: object): readonly [number, number] {
   const film = material as { iridescenceThicknessMinimum?: number; iridescenceThicknessMaximum?: number };
   if (film.iridescenceThicknessMinimum === undefined || film.iridescenceThicknessMaximum === undefined)

@@ -29,7 +29,7 @@ function masterOf({ group, scene }: Light): string {
   return master ? JSON.stringify([master.isActive, master.authoredValues()]) : '';
 }
 
-/** A number as text, alike for those that differ by rounding. */
+/** Text of a number, equal for numbers that differ by rounding errors alone. */
 const rounded = (value: number): string => (Math.abs(value) < 5e-6 ? '0' : value.toFixed(5));
 
 function placeOf({ object3D }: GameObject): string {

@@ -77,7 +77,7 @@ export class LightGroups {
     return this.alone !== null && !this.alone.has(id);
   }
 
-  /** Shows some lights alone; all when null. @returns those that were alone before */
+  /** Shows some lights alone (solo), or all when null. @returns the previous lights, as `ids` */
   showAlone(ids: ReadonlySet<string> | null): ReadonlySet<string> | null {
     const before = this.alone;
     this.alone = ids;

@@ -44,7 +44,7 @@ export interface EngineKeyEvent {
 
 /** Pointer event for components of the object under the pointer, and of its ancestors. */
 export interface ObjectPointerEvent extends EnginePointerEvent {
-  /** The object that is drawn under the pointer; of `onPointerOut` the one that was. */
+  /** Object under the pointer; in `onPointerOut` the object that the pointer has left. */
   readonly target: GameObject;
   /** Point under the pointer on `target`, in world space (m). */
   readonly point: Vector3;

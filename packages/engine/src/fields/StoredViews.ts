@@ -10,10 +10,7 @@ interface Held {
   readonly values: StoredValues;
 }
 
-/**
- * Fields of an owner whose values are stored in declared fields, such as a surface's uniforms: see
- * `storedValues`.
- */
+/** Fields of an owner whose values are stored in declared fields, such as a surface's uniforms: see `storedValues`. */
 export class StoredViews implements FieldViews {
   private table: FieldTable;
   private readonly found: (FieldTable | null)[];

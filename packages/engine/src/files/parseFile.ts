@@ -171,8 +171,8 @@ export function missingAssets(file: FarolFile, uses: readonly AssetUse[], assets
 }
 
 /**
- * The second half of `parseFile`: every asset that the file names must be in the library, or among the file's own.
- * @param uses - those of the file
+ * Checks that every asset that a file uses is in the library or in the file: the second half of `parseFile`.
+ * @param uses - asset names in the file, each with its place
  */
 export function checkAssets(
   file: FarolFile,

@@ -6,7 +6,7 @@ export interface Opening {
   readonly top: number;
 }
 
-/** Least width of wall left beside and above a hole (m). */
+/** Smallest width of wall left beside and above a hole (m). */
 const RIM = 0.05;
 
 /** Requested size and position of a hole (m). */

@@ -1,7 +1,7 @@
 import type { BufferAttribute, InterleavedBufferAttribute } from 'three';
 import { inSteps, type Steps } from '../base/steps';
 
-/** For each vertex the number of its place, 0 to `count` - 1. */
+/** Index of each vertex's position among the distinct positions, 0 to `count` - 1. */
 export interface Places {
   readonly places: Uint32Array;
   readonly count: number;

@@ -13,7 +13,7 @@ const GRIP = 0.25;
 const LATE_JUMP = 6;
 /** Steps without a touch until a contact counts as ended. */
 const GRACE = 5;
-/** Least y of a unit normal that counts as ground. */
+/** Smallest y of a unit normal that counts as ground. */
 const GROUND_NORMAL = 0.3;
 
 const wanted = new Vector3();

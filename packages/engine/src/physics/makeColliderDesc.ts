@@ -13,7 +13,7 @@ const toBody = new Matrix4();
 const X = new Vector3(1, 0, 0);
 const Z = new Vector3(0, 0, 1);
 
-/** Least half extent of a shape (m): a flat mesh becomes a thin box. */
+/** Smallest half extent of a shape (m): a flat mesh becomes a thin box. */
 const THINNEST = 0.001;
 
 function pointsOf(parts: readonly MeshPart[], matrix: Matrix4): Float32Array {

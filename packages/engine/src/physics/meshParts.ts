@@ -14,7 +14,7 @@ export interface MeshPart {
 export interface MeshName {
   readonly type: 'mesh' | 'model';
   readonly name: string;
-  /** Which parts of the model: see `subtreeOf`. */
+  /** Parts of the model, as `subtreeOf` takes them. */
   readonly parts: string;
 }
 

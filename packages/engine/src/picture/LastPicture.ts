@@ -1,6 +1,6 @@
 import type { Scene } from '../core/Scene';
 
-/** Knows of the last frame of a PictureRenderer whether another one is to be drawn. */
+/** State of a PictureRenderer's last frame, by which it is decided whether another frame is needed. */
 export class LastPicture {
   /** Scene of the last picture; null before the first. */
   scene: Scene | null = null;

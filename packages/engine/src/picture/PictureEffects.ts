@@ -55,7 +55,8 @@ export class PictureEffects {
   /** Frames to draw until a picture that changed is as it stays. */
   get frames(): number {
     let frames = 1;
-    for (const name of this.names) frames = Math.max(frames, effectEntries[name]?.stillFrames ?? 1);
+    for (const name of this.names)
+      frames = Math.max(frames, this.made.get(name)?.stillFrames ?? effectEntries[name]?.stillFrames ?? 1);
     return frames;
   }
 

@@ -64,7 +64,7 @@ const failed = (error: unknown): never => {
   throw error;
 };
 
-/** As a file has it. */
+/** Copy of a scene, made by saving and opening it. */
 const reopened = (scene: Scene): Promise<Scene> => deserialize(JSON.stringify(serialize(scene)));
 
 // it is large, and else late in its first test

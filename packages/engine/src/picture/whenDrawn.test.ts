@@ -69,7 +69,7 @@ it('waits for assets, and for a frame with them', async () => {
   const seen = wait();
   await settle();
   expect([seen.state, redraw.mock.calls.length]).toEqual(['waits', 0]);
-  // it cannot be read: that is told elsewhere, and the picture stays without it
+  // a profile that cannot be read is an error of the library's; the light is drawn without it
   come(new ArrayBuffer(8));
   await scene.assets.settled();
   await settle();

@@ -18,7 +18,8 @@ export async function whenDrawn({ last, farol, effects }: DrawnPicture): Promise
   for (;;) {
     await Promise.all(LateCode.fetching);
     await last.scene?.assets.settled();
-    for (let left = effects.frames; left > 0; left--) await nextFrame(last);
+    // the first frame on a device tells how many it takes
+    for (let drawn = 0; drawn < effects.frames; drawn++) await nextFrame(last);
     await farol.ready;
     if (!last.isStale && LateCode.fetching.size === 0 && last.scene!.assets.isSettled) return;
   }

@@ -2,9 +2,9 @@
 export interface ScriptPlace {
   /** Name of the script asset. */
   readonly script: string;
-  /** From 1; 0 where it is not known. */
+  /** Line number from 1; 0 when unknown. */
   readonly line: number;
-  /** From 1; 0 where it is not known. */
+  /** Column number from 1; 0 when unknown. */
   readonly column: number;
 }
 

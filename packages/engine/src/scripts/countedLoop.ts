@@ -9,7 +9,7 @@ export interface CountedLoop {
   readonly end: number;
 }
 
-/** Least step of a counter; a smaller one allows too many iterations between two checks of the time limit. */
+/** Smallest step of a counter; a smaller one allows too many iterations between two checks of the time limit. */
 const LEAST_STEP = 0.01;
 
 /** Tokens allowed in the initial value of a loop's counter; one must be a number, so that the counter is no BigInt. */

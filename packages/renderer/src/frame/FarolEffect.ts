@@ -16,9 +16,7 @@ export interface FarolEffect {
   readonly name: string;
   /** `render` is called after each pass of the frame that writes one of these. */
   readonly after?: readonly Resource[];
-  /**
-   * `render` is called in place of each pass that writes this resource. At most one effect may replace a resource.
-   */
+  /** `render` is called in place of each pass that writes this resource. At most one effect may replace a resource. */
   readonly replaces?: Resource;
   /**
    * Additional attachments of the G-buffer, if the device has room; `Frame.locationOf` gives their locations. At most
@@ -38,6 +36,8 @@ export interface FarolEffect {
   readonly takesPicture?: boolean;
   /** True if the effect smooths edges: `FarolOptions.antialias` adds nothing then. Default false. */
   readonly smoothsEdges?: boolean;
+  /** Frames of a still scene after which its picture changes no more, where that depends on the device. Default: its entry's. */
+  readonly stillFrames?: number;
   /** Bytes of the effect's targets. */
   readonly bytes: number;
   /**

@@ -149,6 +149,8 @@ export class Frame extends FrameTarget {
   }
 
   override bindTarget(): void {
+    // nothing has been bound since three bound it
+    if (this.readsFew && this.webgl.getRenderTarget() === this.target) return;
     super.bindTarget();
     this.uniforms.farol_targetOrigin.value.set(0, 0);
   }
@@ -185,6 +187,7 @@ export class Frame extends FrameTarget {
     this.seenBy = seenBy;
     this.view = view;
     this.uploadedBytes = this.gbufferPixel = 0;
+    this.readsFew = false;
     this.session = session;
     this.reactive = null;
     this.hasMedia = false;

@@ -1,4 +1,12 @@
-import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, type Sphere } from 'three';
+import {
+  type BufferGeometry,
+  type Camera,
+  Material,
+  type Object3D,
+  type ShaderMaterial,
+  type Sphere,
+  Vector3,
+} from 'three';
 import { isOrderSensitive, isPlainOpaque } from '../three/drawOrder';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
@@ -10,6 +18,8 @@ import { isStepOfHost } from './hostCallbacks';
 import { isPlain, type ItemShading, type RenderItem } from './RenderItem';
 import type { GeometryGroup, RenderItemSort, RenderListItem } from '../three/RenderListItem';
 import { warnOfNaN } from './warnOfNaN';
+
+const center = new Vector3();
 
 /** three's default order of opaque items: by group, render order, material, then front to back. */
 function byState(a: RenderListItem, b: RenderListItem): number {
@@ -192,20 +202,9 @@ export class RenderQueue {
   private reaches(object: Object3D, geometry: BufferGeometry): boolean {
     const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
-    const { x, y, z } = sphere.center;
-    const m = object.matrixWorld.elements;
-    const v = this.camera.matrixWorldInverse.elements;
-    const depth =
-      v[2] * (m[0] * x + m[4] * y + m[8] * z + m[12]) +
-      v[6] * (m[1] * x + m[5] * y + m[9] * z + m[13]) +
-      v[10] * (m[2] * x + m[6] * y + m[10] * z + m[14]) +
-      v[14];
-    const scale = Math.max(
-      m[0] * m[0] + m[1] * m[1] + m[2] * m[2],
-      m[4] * m[4] + m[5] * m[5] + m[6] * m[6],
-      m[8] * m[8] + m[9] * m[9] + m[10] * m[10],
-    );
-    return !(sphere.radius * Math.sqrt(scale) - depth <= this.farthest);
+    const { matrixWorld } = object;
+    const { z } = center.copy(sphere.center).applyMatrix4(matrixWorld).applyMatrix4(this.camera.matrixWorldInverse);
+    return !(sphere.radius * matrixWorld.getMaxScaleOnAxis() - z <= this.farthest);
   }
 
   /** Ends the lists, and drops references to objects of earlier, larger frames. */

@@ -12,9 +12,9 @@ export interface SharpLights {
 const POLISHED = 0.3;
 
 /**
- * Whether a material is to be drawn forward under a frame's lights: it mirrors area lights too sharply for rounded
- * normals (a `roughnessMap` counts as white), or an image falls on `alphaHash`, whose holes leave a G-buffer without the
- * neighbours that gradients are taken from, on it and on what is seen through it.
+ * Whether a material must be drawn forward under a frame's lights. One reason is that it mirrors area lights, more
+ * sharply than a G-buffer's rounded normals allow (a `roughnessMap` counts as white). The other is `alphaHash` under a
+ * light that throws an image: the gradients of its look-up come from neighbouring pixels, which the holes leave out.
  */
 export function exceedsGBuffer(material: Material, { hasAreas, hasImages }: SharpLights): boolean {
   return (hasAreas && (material as MeshStandardMaterial).roughness < POLISHED) || (hasImages && material.alphaHash);

@@ -5,7 +5,7 @@ export const SLICES = 256;
 
 /** Uniforms of lightSlice.glsl and lightLoopSlices.glsl. */
 export interface FieldSlices extends Record<string, IUniform> {
-  /** Least depth; slices a depth; 1: depths are logarithms (m). */
+  /** x: depth where the first slice begins (m); y: slices for each unit of depth; z: 1 when depths are logarithms, else 0. */
   readonly farol_fieldSlices: IUniform<Vector3>;
   readonly farol_sliceQuads: IUniform<Texture | null>;
 }

@@ -6,7 +6,7 @@ const METRES_PER_FOOT = 0.3048;
 const LINE_END = /\r\n?|\n/;
 const TILT_LINE = /^[ \t]*TILT[ \t]*=(.*)$/im;
 const TYPES = ['C', 'B', 'A'] as const;
-/** Most angles of one kind; goniometers measure some hundreds. */
+/** Maximum number of angles of one kind; goniometers measure some hundreds. */
 const MOST_ANGLES = 3601;
 const MOST_CANDELAS = 1 << 22;
 

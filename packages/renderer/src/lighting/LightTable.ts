@@ -46,9 +46,7 @@ export class LightTable extends VisibleLights {
   others = 0;
   /** Number of records of lights with a range; a grid may leave some empty. */
   bounded = 0;
-  /**
-   * Number of quads (128 records), from the first on, that hold only plain point lights; set by a write 'by-depth'.
-   */
+  /** Number of quads (128 records), from the first on, that hold only plain point lights; set by a write 'by-depth'. */
   plainQuads = 0;
   /** Tile masks and depth bins, up to date after a write 'by-grid'; null before the first such write. */
   grid: LightGrid | null = null;

@@ -6,9 +6,9 @@ export const BINS = 1024;
 const KEYS = 4096;
 /** Margin at both ends of each light's range (bins), since GPUs round depths. */
 const MARGIN = 1 / 32;
-/** Least range of depths that is cut into bins (units of the last place). */
+/** Smallest range of depths that is cut into bins (units of the last place). */
 const LEAST_RANGE = 1 << 20;
-/** Most deep lights, see `DepthBins`. */
+/** Maximum number of deep lights, see `DepthBins`. */
 const MOST_DEEP = 128;
 const EXTENTS = 256;
 /**

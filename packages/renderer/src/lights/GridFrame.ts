@@ -4,9 +4,7 @@ export class GridFrame {
   tilesY = 0;
   /** True where a slope is lateral / depth; false (orthographic) where it is the lateral distance itself. */
   perspective = true;
-  /**
-   * Tiles a unit of slope, above 0; if the projection mirrors, `signX` or `signY` is -1 and positions are mirrored.
-   */
+  /** Tiles a unit of slope, above 0; if the projection mirrors, `signX` or `signY` is -1 and positions are mirrored. */
   scaleX = 1;
   scaleY = 1;
   offsetX = 0;

@@ -5,7 +5,7 @@ import { GridLights } from './GridLights';
 import { NO_LIGHT } from './lightRecord';
 import { TileMasks } from './TileMasks';
 
-/** Most lights of a grid: ranks are 16 bits, and 31 may be left free. */
+/** Maximum number of lights of a grid: ranks are 16 bits, and 31 may be left free. */
 export const MOST_LIGHTS = 65_504;
 
 /**

@@ -9,7 +9,7 @@ const PAGE_WORDS = 4;
 const TOGGLE_FROM = 6;
 
 /**
- * Which lights touch which tiles, a bit each. Four words (128 lights) make a page of the whole picture: word `w` of tile
+ * Bits that tell which lights touch which tiles. Four words (128 lights) make a page of the whole picture: word `w` of tile
  * `(x, y)` is `masks[((w >> 2) * tilesY * tilesX + y * tilesX + x) * 4 + (w & 3)]`, so that a page's row of tiles is a row
  * of RGBA32UI texels, and lights that follow each other write near each other.
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare

@@ -76,15 +76,15 @@ export function hasProfile(light: Light): boolean {
   return (light.userData.farolProfile ?? null) !== null;
 }
 
-/** Kinds of lights that three lights in place of Farol. */
+/** Kinds of lights that three's light loop draws in place of Farol's. */
 export interface LeftToThree {
-  /** Whether three lights those that cast shadows. */
+  /** Whether lights that cast shadows are drawn by three. */
   shadows: boolean;
-  /** Whether three lights spot lights with a map. */
+  /** Whether spot lights with a map are drawn by three. */
   cookies: boolean;
-  /** Whether three lights area lights. */
+  /** Whether area lights are drawn by three. */
   areas: boolean;
-  /** Whether three lights all: a material in the scene has a shader without Farol's light loop. */
+  /** Whether all lights are drawn by three: a material in the scene has a shader without Farol's light loop. */
   all: boolean;
 }
 
@@ -103,7 +103,7 @@ export function isManagedLight(light: Light, left: LeftToThree): boolean {
   return !(left.shadows && light.castShadow) && !(left.cookies && isSpotLight === true && hasCookie(light));
 }
 
-/** Which of the lights that cast shadows have shadow maps; variance shadow maps know no point and area lights. */
+/** Kinds of shadow-casting lights that have shadow maps; variance shadow maps know no point and area lights. */
 export type ShadowedLights = 'none' | 'all' | 'all-but-points';
 
 /** True for a light that has a shadow map. */

@@ -16,5 +16,5 @@ export interface LightFetcher {
   hintFor(singles: number): string | null;
 }
 
-/** The fetcher is null until the code of light lists is there, which has it. */
+/** Holder of the LightFetcher: null until the code of light lists, which brings it, is fetched. */
 export const fetching: { fetcher: LightFetcher | null } = { fetcher: null };

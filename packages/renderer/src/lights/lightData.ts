@@ -57,9 +57,7 @@ export interface FarolLightData {
   shadowNormalBias?: number;
   /** Radius (m) of the shining ball of a point or spot light that @farol/bake bakes, for soft shadows. Default 0. */
   radius?: number;
-  /**
-   * Angle (rad) that the sun covers, for a directional light that @farol/bake bakes with soft shadows. Default 0.
-   */
+  /** Angle (rad) that the sun covers, for a directional light that @farol/bake bakes with soft shadows. Default 0. */
   angle?: number;
 }
 

@@ -27,7 +27,7 @@ function isReversed(m: ArrayLike<number>): boolean {
 }
 
 /**
- * Least and greatest slope `lateral / depth`, seen from the origin, of a disc between two depths.
+ * Smallest and largest slope `lateral / depth`, seen from the origin, of a disc between two depths.
  * The disc must reach into that range, and `near` must be above 0.
  * @param lateral - centre (m), with depth
  * @param out - gets least and greatest slope, then the depths (m) at which the tangents to the whole disc touch it, where
@@ -188,7 +188,7 @@ function intersect(axis: 0 | 1, a: number, b: number): void {
 }
 
 /**
- * Least and greatest slope of a cone wholly before the eye: a tangent touches the apex, the rim of the cap, or the cap.
+ * Smallest and largest slope of a cone wholly before the eye: a tangent touches the apex, the rim of the cap, or the cap.
  * @param lateral - apex (m), with depth; the axis by its parts in the same plane
  */
 function coneSlopes(

@@ -1,16 +1,20 @@
-import { MeshStandardMaterial } from 'three';
+import { MeshStandardMaterial, ShaderChunk } from 'three';
 import { expect, test } from 'vitest';
+import { threeChunks } from '../three/ThreeChunks';
 import { TwinCache } from './TwinCache';
 import type { TwinKind } from './TwinKind';
 
 const kindOf = (key: string): TwinKind => ({ key, chunks: () => [], patch() {} });
 
-test('twins go with their source and with the cache, which leaves nothing behind on the sources', () => {
-  const cache = new TwinCache({
+const makeCache = () =>
+  new TwinCache({
     uniforms: {},
     microshaders: { header: () => '', revision: () => 0, textKey: () => '' },
     refuse() {},
   });
+
+test('twins go with their source and with the cache, which leaves nothing behind on the sources', () => {
+  const cache = makeCache();
   const kinds = [kindOf('a'), kindOf('b')];
   const listeners = (source: MeshStandardMaterial) =>
     ((source as { _listeners?: { dispose?: unknown[] } })._listeners?.dispose ?? []).length;
@@ -27,4 +31,30 @@ test('twins go with their source and with the cache, which leaves nothing behind
   cache.dispose();
   expect(disposed).toBe(4);
   expect(sources.map(listeners)).toEqual([0, 0]);
+});
+
+test('a frame in which a twin compiles shaders that the page has changed is outdated, but not for ever', () => {
+  const { fog_fragment } = ShaderChunk;
+  const cache = makeCache();
+  const source = new MeshStandardMaterial();
+  const shader = () => ({ uniforms: {}, vertexShader: '', fragmentShader: '' }) as never;
+  /** A frame that makes a twin and compiles it. @returns whether it is to be drawn once more */
+  const frame = (changes: boolean): boolean => {
+    cache.begin();
+    const twin = cache.get(source, kindOf('a'));
+    if (changes) ShaderChunk.fog_fragment += '\nfloat changed;';
+    twin.onBeforeCompile(shader(), {} as never);
+    return cache.isOutdated;
+  };
+  try {
+    expect(frame(false)).toBe(false);
+    expect(frame(false)).toBe(false);
+    expect(frame(true)).toBe(true);
+    expect(frame(false)).toBe(false);
+    // a page that changes them at every compile is not drawn without end
+    expect([frame(true), frame(true), frame(true)]).toEqual([true, true, false]);
+  } finally {
+    ShaderChunk.fog_fragment = fog_fragment;
+    threeChunks.follow();
+  }
 });

@@ -9,6 +9,8 @@ export class TwinCache {
   private readonly sources = new Map<number, WeakRef<Material>>();
 
   private revision = 0;
+  /** Frames in a row that began with changed shaders. */
+  private changes = 0;
   /** The twin given last, with its source and kind: most draws follow one of the same material. */
   private lastSource: Material | null = null;
   private lastKind!: TwinKind;
@@ -33,9 +35,16 @@ export class TwinCache {
 
   /** Begins a frame: twins of shaders that the page has changed since are made anew. */
   begin(): void {
-    threeChunks.follow();
-    if (this.revision !== threeChunks.revision) this.dispose();
+    threeChunks.follow(this.revision > 0);
+    const isChanged = this.revision !== threeChunks.revision;
+    this.changes = isChanged ? this.changes + 1 : 0;
+    if (isChanged) this.dispose();
     this.revision = threeChunks.revision;
+  }
+
+  /** Whether a twin compiled in this frame met shaders that the page has changed: the frame is to be drawn once more. */
+  get isOutdated(): boolean {
+    return this.revision !== threeChunks.revision && this.changes < 2;
   }
 
   dispose(): void {

@@ -52,6 +52,8 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   const customProgramCacheKey = () =>
     `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`;
   const onBeforeCompile = (shader: TwinShader, webgl: WebGLRenderer) => {
+    // the page may have changed shaders for this material, which three takes up now
+    threeChunks.follow();
     const before = { ...shader.uniforms };
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
     const { uniforms } = shader;

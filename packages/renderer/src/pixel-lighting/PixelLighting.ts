@@ -99,7 +99,7 @@ export interface PixelLighting {
 export interface PixelLightingOptions {
   /** Size of the picture that the camera fills (pixels). Default: of the drawing buffer. */
   readonly size?: { readonly width: number; readonly height: number };
-  /** Most lights that are told apart, the brightest, at least 1; the others are one share of the kind 'lights'. Default 128. */
+  /** Maximum number of lights told apart, at least 1; the weaker ones are one share of the kind 'lights'. Default 128. */
   readonly most?: number;
   /** Ends the work: the promise is then rejected with the signal's reason. */
   readonly signal?: AbortSignal;

@@ -22,7 +22,7 @@ const WINDOW = 16;
 
 type Line = LineSegments & { readonly material: { readonly isLineMaterial?: boolean } };
 
-/** Size of points and thick lines goes by the target; points whose middle is outside are clipped. */
+/** Whether an object is sized or clipped by the target, as points and thick lines: it cannot be drawn in the window. */
 const goesByTarget = ({ object }: RenderItem): boolean =>
   (object as Points).isPoints === true || (object as Line).material.isLineMaterial === true;
 

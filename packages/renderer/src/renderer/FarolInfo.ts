@@ -55,9 +55,7 @@ export interface FarolInfo {
   budget: Readonly<BudgetInfo> | null;
   /** Parts of a view of a buffer, or why it cannot be shown; null for the other views, and while their code is being fetched. */
   view: ViewInfo | null;
-  /**
-   * Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw.
-   */
+  /** Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw. */
   lights: { total: number; visible: number };
   /**
    * Shadow maps drawn in this frame and their texels; maps kept from earlier frames; of these, maps whose depth bounds
@@ -68,10 +66,10 @@ export interface FarolInfo {
   programs: number;
   /** Quality of the frame: 'lite' or 'full'. */
   quality: 'full' | 'lite';
-  /** Bytes that Farol holds on the GPU, by their use. */
+  /** Bytes that Farol holds on the GPU, by their use, counted as they are read. */
   readonly memory: MemoryInfo;
   /** Sum of `memory`. */
-  targetBytes: number;
+  readonly targetBytes: number;
   /** Bytes of light data uploaded in this frame. */
   uploadBytes: number;
 }

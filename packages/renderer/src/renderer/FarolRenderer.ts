@@ -9,7 +9,7 @@ import { unknownName } from './errors';
 import { NO_EFFECTS } from '../frame/ActiveEffects';
 import { EffectList } from './EffectList';
 import type { FarolEffect } from '../frame/FarolEffect';
-import type { FarolInfo } from './FarolInfo';
+import type { FarolInfo, MemoryInfo } from './FarolInfo';
 import { type FarolEvents, type FarolOptions, setOptions } from './FarolOptions';
 import { Frame } from '../frame/Frame';
 import { InfoRecorder } from './InfoRecorder';
@@ -108,9 +108,10 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     });
     const late = lateDraws(this.microshaders);
     this.frame = new Frame(webgl, this.lights.table, this.twins, uniforms, this.microshaders, late);
-    this.recorder = new InfoRecorder(webgl, this.last);
-    const { frame, recorder, views, set, picker } = this;
-    this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
+    const { frame, views, set, picker } = this;
+    const count = (memory: MemoryInfo) => countMemory(memory, frame, set, this.finder, this.draws, views, this.effects);
+    this.recorder = new InfoRecorder(webgl, this.last, count);
+    this.draws = new SceneDraws(frame, this.recorder, views, set, picker, uniforms.farol_background.value);
     setOptions(this, options);
     webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
   }
@@ -239,8 +240,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     } finally {
       Lazy.lacking = outer;
       this.isDrawing = false;
-      // a callback of the host has disposed of this renderer
-      if (this.disposed) this.end();
+      if (this.disposed) this.end(); // a callback of the host has
     }
   }
 
@@ -276,6 +276,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
         draws.draw,
         frame.view === 'final' && frame.ownsTarget() ? fills : null,
         shadows,
+        frame.camera === camera && !webgl.xr.enabled,
       );
       shadows?.end();
       done = true;
@@ -290,12 +291,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
     if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
-    countMemory(this.info, frame, this.set, finder, draws, this.views, this.effects);
-    this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes);
+    this.recorder.end(picker, frame, shadows);
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);
-    // a shader that has no place for the loop was met: once more, by three's lights
-    if (!frame.queue.refused.end(scene, byThree || finder.left.all)) return;
+    // once more: by three's lights where a shader has no place for the loop, or with shaders that the page has changed
+    if (!frame.queue.refused.end(scene, byThree || finder.left.all) && !this.twins.isOutdated) return;
     if (session !== null) session.eye = 0; // its lights are found anew
     this.drawScene(scene, camera, false, false, seenBy, session);
   };
@@ -381,7 +381,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.finder.dispose();
   };
 
-  /** Picks the technique by the lights that the camera sees. @returns the order in which it wants them */
+  /** Picks the technique by the lights that the camera sees. @returns order in which the technique needs the lights */
   private readonly pickTechnique = (): LightOrder => {
     const { draws, frame, picker } = this;
     picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);

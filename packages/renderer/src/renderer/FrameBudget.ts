@@ -2,7 +2,7 @@
 export interface FrameBudget {
   /** Milliseconds a frame, above 0: 16.7 for 60 frames a second. */
   readonly frame: number;
-  /** Least scale, 0.25 to `max`. Default 0.5. */
+  /** Smallest scale, 0.25 to `max`. Default 0.5. */
   readonly min?: number;
   /** Largest scale, up to 1. Default 1. */
   readonly max?: number;

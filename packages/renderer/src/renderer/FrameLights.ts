@@ -77,6 +77,8 @@ export class FrameLights {
     table.slots = 0;
     fields?.begin();
     const picked = pick();
+    // nothing asks then how far surfaces are
+    if (frame.readsFew) frame.queue.farthest = Infinity;
     // clusters of fields are made on the GPU
     const order = fields !== null && picked === 'by-grid' ? 'by-depth' : picked;
     if (session !== null && session.eye > 0) shadows?.keep();

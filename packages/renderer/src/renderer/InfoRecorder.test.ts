@@ -7,12 +7,17 @@ import { InfoRecorder } from './InfoRecorder';
 import type { LastFrame } from './LastFrame';
 
 const lights = { total: 7, visible: 3, uploadedBytes: 100 } as unknown as LightTable;
+const DEFERRED = { active: 'deferred', reason: 'asked for' } as const;
 
 function makeRecorder() {
   const render = { calls: 50, triangles: 1000 };
   const canvas = new EventTarget();
   const webgl = { info: { render, programs: [1, 2] }, getContext: () => ({ canvas }) } as unknown as WebGLRenderer;
-  const recorder = new InfoRecorder(webgl, { pending: null } as unknown as LastFrame);
+  let counts = 0;
+  const recorder = new InfoRecorder(webgl, { pending: null } as unknown as LastFrame, (memory) => {
+    Object.assign(memory, { gbuffer: 5, gbufferPixel: 16, lights: ++counts });
+    return 5 + counts;
+  });
   const draw = (name: string, calls: number, triangles: number) => {
     recorder.beginPass(name);
     render.calls += calls;
@@ -29,7 +34,7 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
     recorder.begin(false, 0);
     draw('g-buffer', 4, 240);
     draw('lighting', 1, 1);
-    recorder.end('deferred', 'asked for', lights, null, 28);
+    recorder.end(DEFERRED, { lights, uploadedBytes: 28, isLite: true }, null);
     expect(info.passes.map(({ name, drawCalls, triangles }) => [name, drawCalls, triangles])).toEqual([
       ['g-buffer', 4, 240],
       ['lighting', 1, 1],
@@ -39,6 +44,10 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
   expect([info.technique, info.reason, info.programs]).toEqual(['deferred', 'asked for', 2]);
   expect([info.lights.total, info.lights.visible, info.uploadBytes]).toEqual([7, 3, 128]);
   expect(info.gpuMs).toBe(null);
+  expect(info.quality).toBe('lite');
+  // counted where they are read, in no frame
+  expect(info.memory).toMatchObject({ gbuffer: 5, lights: 1, shadows: 0 });
+  expect(info.targetBytes).toBe(5 + 2);
   recorder.dispose();
 });
 
@@ -51,7 +60,7 @@ it('hints at LightField from 2,000 lights on that are objects of their own, and 
   const hintOf = (all: (PointLight | LightField)[]): string | null => {
     table.collect(all, camera, { shadows: 'none', layers: null });
     recorder.begin(false, 0);
-    recorder.end('deferred', 'asked for', table, null, 0);
+    recorder.end(DEFERRED, { lights: table, uploadedBytes: 0, isLite: false }, null);
     return recorder.info.hint;
   };
   expect(recorder.info.hint).toBe(null);

@@ -1,11 +1,15 @@
 import type { WebGLRenderer } from 'three';
-import type { FarolInfo, PassInfo } from './FarolInfo';
+import type { FarolInfo, MemoryInfo, PassInfo } from './FarolInfo';
 import type { LastFrame } from './LastFrame';
 import type { GpuTimer } from './timer/GpuTimer';
 import { fetching } from '../lights/fetching';
 import { timerCode } from './lazyCode';
-import type { LightTable } from '../lighting/LightTable';
+import type { Frame } from '../frame/Frame';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
+import type { TechniquePicker } from './TechniquePicker';
+
+type EndedBy = Pick<TechniquePicker, 'active' | 'reason'>;
+type EndedFrame = Pick<Frame, 'lights' | 'uploadedBytes' | 'isLite'>;
 
 /** Fills `FarolInfo`: counts from the WebGLRenderer, CPU time from the clock, GPU time from queries read later. */
 export class InfoRecorder {
@@ -25,7 +29,10 @@ export class InfoRecorder {
   constructor(
     private readonly webgl: WebGLRenderer,
     last: LastFrame,
+    /** Counts the bytes held, called where they are read; returns their sum. */
+    count: (memory: MemoryInfo) => number,
   ) {
+    const held = { gbuffer: 0, gbufferPixel: 0, targets: 0, lists: 0, shadows: 0, lights: 0, effects: 0 };
     this.info = {
       technique: '',
       reason: '',
@@ -44,10 +51,13 @@ export class InfoRecorder {
       shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
       programs: 0,
       quality: 'full',
-      memory: {
-        ...{ gbuffer: 0, gbufferPixel: 0, targets: 0, lists: 0, shadows: 0, lights: 0, effects: 0 },
+      get memory() {
+        count(held);
+        return held;
       },
-      targetBytes: 0,
+      get targetBytes() {
+        return count(held);
+      },
       uploadBytes: 0,
     };
     // registered before listeners of the host, which may draw
@@ -80,7 +90,8 @@ export class InfoRecorder {
     return true;
   }
 
-  beginPass(name: string): void {
+  /** @param isIdle - whether the pass draws nothing: its time is not taken. Default false */
+  beginPass(name: string, isIdle = false): void {
     const known = this.eyes[this.eye];
     let pass = known.get(name);
     if (pass === undefined) {
@@ -88,8 +99,13 @@ export class InfoRecorder {
       pass = { name: label, drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
       known.set(name, pass);
     }
-    this.pass = pass;
     this.info.passes.push(pass);
+    if (isIdle) {
+      pass.cpuMs = pass.drawCalls = pass.triangles = 0;
+      pass.gpuMs = null;
+      return;
+    }
+    this.pass = pass;
     const { render } = this.webgl.info;
     this.calls = render.calls;
     this.triangles = render.triangles;
@@ -111,10 +127,11 @@ export class InfoRecorder {
     this.pass = null;
   }
 
-  end(technique: string, reason: string, lights: LightTable, shadows: ShadowMaps | null, uploadedBytes: number): void {
+  end({ active, reason }: EndedBy, { lights, uploadedBytes, isLite }: EndedFrame, shadows: ShadowMaps | null): void {
     const { info } = this;
-    info.technique = technique;
+    info.technique = active;
     info.reason = reason;
+    info.quality = isLite ? 'lite' : 'full';
     info.hint = fetching.fetcher?.hintFor(lights.singles) ?? null;
     this.sumTimes();
     info.lights.total = lights.total;
@@ -140,6 +157,7 @@ export class InfoRecorder {
   private sumTimes(): void {
     const { info } = this;
     info.gpuMs = null;
+    if (!this.timing) return;
     for (const { gpuMs } of info.passes) if (gpuMs !== null) info.gpuMs = (info.gpuMs ?? 0) + gpuMs;
   }
 

@@ -5,9 +5,7 @@ import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/**
- * Most lights with a shadow or an image for which three has texture units; others have none until Farol draws them.
- */
+/** Maximum number of lights with a shadow or an image that three draws, by its texture units, until Farol does. */
 const FEW_MASKS = 4;
 
 /** Uniform vectors of three's lit shaders besides lights, and of one spot light. */

@@ -77,7 +77,7 @@ export class SceneDraws {
 
   set budget(budget: FrameBudget | null) {
     const checked = budget === null ? null : checkBudget(budget);
-    // a budget of the same values goes on with what it has learnt
+    // an equal budget keeps the controller, with the load that it has measured
     if (JSON.stringify(checked) !== JSON.stringify(this.checked)) this.checked = checked;
     this.asked = budget;
     if (budget !== null) budgetCode.ask();
@@ -178,9 +178,7 @@ export class SceneDraws {
     for (const item of queue.opaque) item.drawn = false;
   }
 
-  /**
-   * Draws back faces of transmissive objects over that into three's transmission target, since front faces show it.
-   */
+  /** Draws back faces of transmissive objects over that into three's transmission target, since front faces show it. */
   private drawTransmittedBacks(): void {
     const { frame } = this;
     const { back } = this.transmittedTwins('final');

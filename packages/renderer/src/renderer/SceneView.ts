@@ -65,6 +65,8 @@ export class SceneView {
   seenBy!: Camera;
   private readonly array = new ArrayTraversal();
   private camera!: Camera;
+  /** Whether three is kept from updating the camera's matrices, which are up to date, a second time. */
+  private holdsCamera = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
@@ -84,7 +86,7 @@ export class SceneView {
     if (scene.isScene === true) {
       this.view = standInOf(scene, Object3D.prototype);
       // called by FarolRenderer, before lights are collected
-      this.own('onBeforeRender', NOTHING);
+      this.own('onBeforeRender', this.freeCamera);
       this.own('onAfterRender', NOTHING);
     } else {
       this.view = new Object3D();
@@ -110,6 +112,7 @@ export class SceneView {
    * @param draw - draws the scene; also called for three's transmission target if an object transmits
    * @param fills - pixels that draws write, so that three need not clear them
    * @param shadows - maps to draw when three draws its own
+   * @param isUpdated - whether the camera's matrices are up to date
    */
   render(
     camera: Camera,
@@ -118,7 +121,8 @@ export class SceneView {
     queue: RenderQueue,
     draw: DrawScene,
     fills: Fills | null,
-    shadows: ShadowDraws | null = null,
+    shadows: ShadowDraws | null,
+    isUpdated: boolean,
   ): void {
     if (this.lists !== renderListsOf(this.webgl)) this.takeList();
     this.queue = queue;
@@ -134,10 +138,14 @@ export class SceneView {
     shadows?.calls.begin(this.view, this.fail);
     this.getList = this.lists.get;
     this.lists.get = this.giveList;
+    // three calls `freeCamera` as it has passed the camera's matrices, of a Scene
+    this.holdsCamera = isUpdated && camera.matrixWorldAutoUpdate && (this.source as Scene).isScene === true;
+    if (this.holdsCamera) camera.matrixWorldAutoUpdate = false;
     try {
       this.webgl.render(this.view as Object3D, camera);
     } finally {
       this.lists.get = this.getList;
+      this.freeCamera();
       shadows?.calls.end();
       this.restore();
       this.restoreClear();
@@ -156,6 +164,11 @@ export class SceneView {
   private readonly fail = (error: unknown): void => {
     if (!this.failed) this.error = error;
     this.failed = true;
+  };
+
+  private readonly freeCamera = (): void => {
+    if (this.holdsCamera) this.camera.matrixWorldAutoUpdate = true;
+    this.holdsCamera = false;
   };
 
   /** Empties three's list of transmissive items, which Farol draws. */
@@ -233,9 +246,7 @@ export class SceneView {
     }
   }
 
-  /**
-   * Reserves one of three's render lists for all frames, whatever the depth of nested renders.
-   */
+  /** Reserves one of three's render lists for all frames, whatever the depth of nested renders. */
   private takeList(): void {
     this.lists = renderListsOf(this.webgl);
     const list = (this.list = this.lists.get(this.view, 0));

@@ -1,23 +1,21 @@
 import type { FarolEffect } from '../frame/FarolEffect';
 import type { Frame } from '../frame/Frame';
-import type { FarolInfo } from './FarolInfo';
+import type { MemoryInfo } from './FarolInfo';
 import type { LazyViews } from './LazyViews';
 import type { LightFinder } from './LightFinder';
 import type { SceneDraws } from './SceneDraws';
 import type { TechniqueSet } from './TechniqueSet';
 
-/** Writes the quality of a frame and the bytes that a renderer holds after it, by their use. */
+/** Writes the bytes that a renderer holds, by their use. @returns their sum */
 export function countMemory(
-  info: FarolInfo,
+  memory: MemoryInfo,
   frame: Frame,
   set: TechniqueSet,
   { shadows, areas }: LightFinder,
   draws: SceneDraws,
   views: LazyViews,
   effects: readonly FarolEffect[],
-): void {
-  const { memory } = info;
-  info.quality = frame.isLite ? 'lite' : 'full';
+): number {
   set.count(memory);
   memory.gbufferPixel = frame.gbufferPixel;
   memory.shadows = shadows?.bytes ?? 0;
@@ -25,5 +23,5 @@ export function countMemory(
   memory.targets += views.bytes;
   memory.effects = draws.bytes;
   for (const effect of effects) memory.effects += effect.bytes;
-  info.targetBytes = memory.gbuffer + memory.targets + memory.lists + memory.shadows + memory.lights + memory.effects;
+  return memory.gbuffer + memory.targets + memory.lists + memory.shadows + memory.lights + memory.effects;
 }

@@ -14,9 +14,10 @@ export function drawPasses(
 ): void {
   const { resources } = frame;
   for (const pass of passes) {
-    recorder.beginPass(pass.name);
+    const replacement = replacementOf(pass, effects);
+    recorder.beginPass(pass.name, replacement === null && pass.isIdle?.(frame) === true);
     resources.use(technique, pass);
-    (replacementOf(pass, effects) ?? pass).render!(frame, pass);
+    (replacement ?? pass).render!(frame, pass);
     resources.use(technique, null);
     recorder.endPass();
     for (const effect of effects) {

@@ -43,6 +43,16 @@ test.each([
   expect(after.revision).toBe(3);
 });
 
+test('compared in parts, a change is found within eight calls', () => {
+  const chunks = new ThreeChunks();
+  chunks.follow(true); // the first call compares all
+  expect(groups(chunks)).toEqual(NONE);
+  ShaderChunk.fog_fragment += '\nfloat changed;';
+  expect(Array.from({ length: 8 }, () => chunks.follow(true)).filter(Boolean)).toHaveLength(1);
+  expect(groups(chunks)).toEqual({ ...NONE, shading: true });
+  expect(Array.from({ length: 16 }, () => chunks.follow(true)).filter(Boolean)).toHaveLength(0);
+});
+
 test('a changed project_vertex is one of both', () => {
   ShaderChunk.project_vertex += '\ngl_Position.x *= 2.0;';
   const chunks = new ThreeChunks();

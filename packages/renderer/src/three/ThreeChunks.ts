@@ -7,6 +7,8 @@ const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
 /** Shaders of lit materials; from SHADERS_LIT on, shaders that draw shadow maps. */
 const SHADERS = ['lambert', 'phong', 'toon', 'physical', 'depth', 'distance'] as const;
 const SHADERS_LIT = 4;
+/** Frames over which the comparison of three's texts is spread. */
+const FRAMES = 8;
 
 /** @param i - an even number for the vertex shader of one of SHADERS, the next for its fragment shader */
 const shaderText = (i: number) => ShaderLib[SHADERS[i >> 1]][i & 1 ? 'fragmentShader' : 'vertexShader'];
@@ -45,8 +47,8 @@ function addIncludes(text: string, names: Set<string>): void {
 }
 
 /**
- * Which of three's shaders the page has changed by `ShaderChunk` or `ShaderLib`, before Farol was there or since: percentage
- * closer soft shadows, cascades, fogs and tone mappings come so.
+ * Record of the shaders of three's that the page has changed by `ShaderChunk` or `ShaderLib`, before Farol was there or
+ * since: percentage closer soft shadows, cascades, fogs and tone mappings come so.
  */
 export class ThreeChunks {
   /** Number that grows with each change. */
@@ -59,13 +61,19 @@ export class ThreeChunks {
   shading = false;
   private readonly names: string[] = [];
   private readonly texts: string[] = [];
+  private calls = 0;
 
-  /** Compares three's texts. @returns whether any has changed since the last call */
-  follow(): boolean {
+  /**
+   * Compares three's texts.
+   * @param some - whether to compare one text in FRAMES, others at each call. Default false
+   * @returns whether one has changed since it was compared last
+   */
+  follow(some = false): boolean {
     const { names, texts } = this;
-    let same = names.length > 0;
-    for (let i = 0; i < names.length; i++) if (chunks[names[i]] !== texts[i]) same = false;
-    for (let i = 0; i < 2 * SHADERS.length; i++) if (shaderText(i) !== texts[names.length + i]) same = false;
+    const step = some ? FRAMES : 1;
+    let same = texts.length > 0;
+    for (let i = some ? this.calls++ % FRAMES : 0; i < texts.length; i += step)
+      if ((i < names.length ? chunks[names[i]] : shaderText(i - names.length)) !== texts[i]) same = false;
     if (same) return false;
     const hashes = this.hashes();
     this.lights = hashes.lights !== pristine.lights;
@@ -101,5 +109,5 @@ export class ThreeChunks {
   }
 }
 
-/** One for the page, as three has one `ShaderChunk`. */
+/** The page's only ThreeChunks, since three has one `ShaderChunk` a page. */
 export const threeChunks = new ThreeChunks();

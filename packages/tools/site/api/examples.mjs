@@ -110,7 +110,7 @@ class ExampleIndex {
         for (const type of lender.types.filter(isType)) {
           const example = this.found.get(lender);
           const own = this.found.get(type);
-          // of its own, one of a unit test tells less than a reader's one of what takes it
+          // a type's own example may be of a unit test: an example for readers that passes the type to a function tells more
           if (!example || (own && (own.cost < TEST || own.cost <= example.cost + TEST / 2))) continue;
           this.found.set(type, example);
           next.push(type);

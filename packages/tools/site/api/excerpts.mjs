@@ -20,7 +20,7 @@ import { parseSync } from 'vite';
 const MOST_LINES = 16;
 const MOST_OF_CLASS = 40;
 
-/** Costs, in lines: what the excerpt names and does not show, a use that is no call, and a check that is not shortened. */
+/** Penalties of an excerpt (lines): for a name that it does not declare, a use that is no call, a check that is not shortened. */
 const UNSHOWN = 4;
 const NOT_CALLED = 2;
 const CHECK = 6;

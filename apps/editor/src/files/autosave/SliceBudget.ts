@@ -4,7 +4,7 @@ const EASY = 1;
 /** Duration of a slice (ms) once a change has waited for `LATE_FROM`. */
 const LATE = 3;
 
-/** Waiting times (ms) from which slices get longer, and from which each doubles the one before. */
+/** Waiting time (ms) of a change from which slices are `LATE` long, and from which each slice is twice as long as the last. */
 const LATE_FROM = 250;
 const VERY_LATE_FROM = 5000;
 

@@ -65,7 +65,7 @@ it.each([1, 2, 3])('the stored parts make the very scene, after any changes, see
     else if (act < 0.9) object.transform.position = [random(), 0, 0];
     else if (act < 0.95) commands.undo();
     else changePrefab(scene, makePrefab(object, 'Some', scene.prefabs.list[0]?.id).prefab);
-    // reads some of the changes, or all
+    // stores a few of the noted changes, sometimes all of them
     if (random() < 0.05) readAll(delta, parts);
     else
       for (let count = random() * 6; count > 1; count--)

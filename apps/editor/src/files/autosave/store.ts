@@ -25,10 +25,7 @@ const finished = (transaction: IDBTransaction): Promise<void> =>
 
 let database: Promise<IDBDatabase> | null = null;
 
-/**
- * Opens the database: `sessions` by id; `parts` and `files` by session and key. Tries again after it failed or was
- * closed.
- */
+/** Opens the database: `sessions` by id; `parts` and `files` by session and key. Tries again after it failed or was closed. */
 function open(): Promise<IDBDatabase> {
   database ??= connect().catch((error: unknown) => {
     database = null;

@@ -1,4 +1,4 @@
-/** Least time between two frames during a bake (ms). */
+/** Smallest time between two frames during a bake (ms). */
 const LEAST = 250;
 /** Largest share of the time spent drawing frames. */
 const SHARE = 0.2;

@@ -5,7 +5,7 @@ import type { FilmWriter } from './FilmWriter';
 
 /** Largest ZIP without ZIP64 (bytes), which the writer does not know. @see PKWARE APPNOTE.TXT 4.4 */
 const LARGEST = 2 ** 32 - 1;
-/** Most entries of such a ZIP. */
+/** Maximum number of files in a ZIP without ZIP64. */
 export const MOST_FRAMES = 65_535;
 
 /** Writes a film as numbered PNGs in a ZIP, `frame-00001.png` on. */
@@ -39,7 +39,7 @@ export class FramesWriter implements FilmWriter {
     if (this.bytes + png.size > LARGEST)
       throw new Error(t('A ZIP holds 4 GB: choose a smaller size or a shorter film.'));
     const entry = new ZipPassThrough(`frame-${String(++this.frames).padStart(5, '0')}.png`);
-    entry.mtime = new Date(2000, 0, 1); // the same film is the same file
+    entry.mtime = new Date(2000, 0, 1); // a fixed date: two exports of one film are equal byte by byte
     this.zip.add(entry);
     entry.push(new Uint8Array(await png.arrayBuffer()), true);
     await this.written;

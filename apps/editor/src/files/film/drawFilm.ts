@@ -8,7 +8,7 @@ import { type FrameRate, framesBetween, timeOf } from './frameRate';
 import { makeShot, type ShotName } from './shots';
 
 export interface FilmOptions {
-  /** Pixels. */
+  /** Size of the film (pixels). */
   readonly width: number;
   readonly height: number;
   readonly rate: FrameRate;

@@ -6,7 +6,7 @@ export interface FrameRate {
 
 /** Greatest number of frames a second. */
 export const FASTEST = 240;
-/** Least number of frames a second. */
+/** Smallest number of frames a second. */
 export const SLOWEST = 0.1;
 
 /** Rates of cinema and television: those of NTSC are 1000/1001 of whole ones. @see SMPTE ST 12-1 */

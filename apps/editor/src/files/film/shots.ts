@@ -105,7 +105,7 @@ export function makeShot(editor: EditorApi, name: ShotName, aspect: number, turn
   let component = find();
   if (!component) throw new Error(t('The scene has no such camera any more: choose another one.'));
   return () => {
-    // one that a script takes out is looked through from where it was
+    // a camera that a script removes is looked through from its last pose
     component = find() ?? component!;
     if (component.isAttached || eye === null) eye = copyEye(component.three, aspect, eye);
     return { eye, component };

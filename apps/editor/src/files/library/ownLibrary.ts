@@ -70,7 +70,7 @@ async function pictureOf(editor: EditorApi, prefab: string): Promise<Blob | null
 function copyPrefab(scene: Scene, id: string): CopiedObjects {
   const prefab = scene.prefabs.get(id);
   if (!prefab) throw new Error(t('This prefab is not in the scene any more.'));
-  // a copy is made of objects in a scene: one beside the user's, with its assets
+  // copyObjects needs objects of a scene: a temporary scene that shares the user's assets holds the instance
   const { assets, registry } = scene;
   const beside = new Scene({ assets, registry });
   for (const each of scene.prefabs.list) beside.prefabs.set(each);

@@ -44,7 +44,7 @@ export function bringItem(scene: Scene, { prefab, assets }: BuiltItem): Brought 
   return { prefab: named, steps: brought.taken.length > 0 ? [add, set] : [set] };
 }
 
-/** Whether what is below an object has a collider, or what that is a part of. */
+/** Whether the surface below an object has a collider, on its own object or on one above it. */
 function isCarried(scene: Scene, { transform }: GameObject, camera: Camera): boolean {
   const [x, y, z] = transform.position;
   const ray = new Ray(new Vector3(x, y + 0.5, z), new Vector3(0, -1, 0));

@@ -14,7 +14,7 @@ import {
   splitHead,
 } from './liveParts';
 
-/** Least time between two messages of previews while a gesture is open (ms). */
+/** Smallest time between two messages of previews while a gesture is open (ms). */
 const PREVIEW = 50;
 
 /** Longest time that a frame reads parts of the scene (ms). */
@@ -45,7 +45,7 @@ export class LiveShare {
   private id = '';
   private count = 0;
   private delta: SceneDelta | null = null;
-  /** JSON of all parts, as pages that look have them. */
+  /** JSON of each part of the scene as last sent to the pages that show it. */
   private readonly sent = new Map<PartKey, string>();
   /** Numbers of pages that wait for everything; null stands for all. */
   private waiting = new Set<number | null>();
@@ -133,7 +133,7 @@ export class LiveShare {
     this.waiting.clear();
   }
 
-  /** Reads everything, unless it was read, for a page that waits; null for all, when another scene was opened. */
+  /** Schedules a transfer of the whole scene. @param number - page that waits for it; null for all, in a new scene */
   private begin(number: number | null): void {
     this.waiting.add(number);
     if (!this.delta || number === null) {

@@ -90,7 +90,7 @@ export class PictureCanvas {
     const { scene } = document;
     this.begin();
     picture.effects.forgetFrames();
-    for (let frame = Math.max(1, picture.effects.frames); frame > 0; frame--) this.drawOnce(eye, component);
+    for (let drawn = 0; drawn < Math.max(1, picture.effects.frames); drawn++) this.drawOnce(eye, component);
     if (webgl.getContext().isContextLost())
       throw new Error(t('The graphics device was lost while the picture was drawn: save it again.'));
     // a technique may have been found that asks for other effects

@@ -4,7 +4,7 @@ import { shownEye } from '../picture/PictureCanvas';
 /** Size of the picture of a scene (pixels). */
 const WIDTH = 320;
 const HEIGHT = 180;
-/** Most bytes of it. */
+/** Maximum size of that picture (bytes). */
 const MOST = 20_000;
 
 /**

@@ -45,7 +45,7 @@ export interface Arrangement {
   readonly grouped: boolean;
 }
 
-/** Most objects that one arrangement makes. */
+/** Maximum number of objects that one arrangement makes. */
 export const MOST_COPIES = 20_000;
 
 /** Pose of one object of an arrangement. */

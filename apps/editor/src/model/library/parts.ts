@@ -18,10 +18,7 @@ export interface Place {
   readonly size?: Vector3Tuple;
 }
 
-/**
- * Type of a component with the values that are no defaults; 'part:Hinge' stands for the id of the item's part of that
- * name.
- */
+/** Type of a component with the values that are no defaults; 'part:Hinge' stands for the id of the item's part of that name. */
 export type PartComponent = readonly [type: string, values: Values];
 
 /** An object of a library's item, with what is below it. */

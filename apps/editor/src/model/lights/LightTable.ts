@@ -237,7 +237,7 @@ export class LightTable {
     return sources.length > 0 && sources.every(({ id }) => this.solo.has(id));
   }
 
-  /** Shows lights alone, beside those that are; or no longer. A preview: neither an edit nor saved. */
+  /** Adds lights to those that are shown alone (solo), or takes them out. A preview: neither an edit nor saved. */
   setSolo(sources: readonly LightSource[], isSolo: boolean): void {
     const next = new Set(this.solo);
     for (const { id } of sources) {

@@ -32,7 +32,7 @@ const qualities = { small: 0.5, good: 1, high: 2.5 } as const;
 
 /** Settings of the dialog; kept until the page is closed, since films are made again and again. */
 interface FilmSettings {
-  /** Null until the browser was asked what it encodes. */
+  /** Format of the file; null until the browser has told which formats it encodes. */
   readonly format: FilmFormatName | null;
   readonly size: Size;
   /** Frames a second. */
@@ -45,7 +45,7 @@ interface FilmSettings {
   readonly turns: number;
   readonly plays: boolean;
   readonly quality: keyof typeof qualities;
-  /** Bits a second; null for that of the quality. */
+  /** Bits a second, as typed; null: by `quality`. */
   readonly bitrate: number | null;
   readonly isTransparent: boolean;
 }
@@ -57,7 +57,7 @@ let last: FilmSettings = {
 
 const even = (value: number): number => Math.max(2, 2 * Math.round(value / 2));
 
-/** Ways to look at the film, of those that the scene has. */
+/** Viewpoints that the scene offers for a film. */
 function shotOptions({ document: { scene } }: EditorApi): SelectOption<ShotName>[] {
   const cameras = scene.componentsOf(Camera);
   const options: SelectOption<ShotName>[] = [{ value: 'shown', label: t('The view as shown') }];

@@ -53,16 +53,15 @@ export function useTabDrag(
       end.current();
     };
     const cancel = (): void => end.current();
-    window.addEventListener('pointermove', move);
-    window.addEventListener('pointerup', finish);
-    window.addEventListener('pointercancel', cancel);
-    window.addEventListener('keydown', key, true);
+    const listening = new AbortController();
+    const { signal } = listening;
+    window.addEventListener('pointermove', move, { signal });
+    window.addEventListener('pointerup', finish, { signal });
+    window.addEventListener('pointercancel', cancel, { signal });
+    window.addEventListener('keydown', key, { capture: true, signal });
     end.current = () => {
       end.current = () => {};
-      window.removeEventListener('pointermove', move);
-      window.removeEventListener('pointerup', finish);
-      window.removeEventListener('pointercancel', cancel);
-      window.removeEventListener('keydown', key, true);
+      listening.abort();
       onMark(null);
     };
   };

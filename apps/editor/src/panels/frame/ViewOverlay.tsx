@@ -12,8 +12,10 @@ import './overlay.css';
 import { viewMeanings } from './viewMeanings';
 import { viewMend } from './viewMend';
 
-/** Least width of a tile that has its name written in it (CSS pixels). */
+/** Smallest width of a tile that has its name written in it (CSS pixels). */
 const NAMED = 44;
+/** Width of a pane below which its legend begins folded to the name of the view (CSS pixels). */
+const WIDE = 320;
 
 const metres = (distance: number): string => distance.toPrecision(3).replace(/\.?0+$/, '');
 
@@ -55,7 +57,12 @@ export function ViewOverlay(): ReactNode {
     const view = viewIn(viewport, pane);
     const isCount = view === 'light-count' || view === 'overdraw';
     return (
-      <div key={pane.name} className="pane-overlay" style={{ left: x, top: y, width, height }}>
+      <div
+        key={pane.name}
+        className="pane-overlay"
+        data-quad={viewport.isQuad || undefined}
+        style={{ left: x, top: y, width, height }}
+      >
         {isCount && <HeatScale view={view} />}
         {pane.shown?.problem && <Lacking view={view} problem={pane.shown.problem} />}
         {pane.shown && !pane.shown.problem && <BufferLegend pane={pane} info={pane.shown} />}
@@ -90,14 +97,12 @@ function BufferLegend({ pane, info }: { readonly pane: ViewPane; readonly info: 
       setPointer([(clientX - left) / width, (clientY - top) / height]);
     };
     const left = (): void => setPointer(null);
-    canvas.addEventListener('pointermove', moved);
-    canvas.addEventListener('pointerdown', moved);
-    canvas.addEventListener('pointerleave', left);
-    return () => {
-      canvas.removeEventListener('pointermove', moved);
-      canvas.removeEventListener('pointerdown', moved);
-      canvas.removeEventListener('pointerleave', left);
-    };
+    const end = new AbortController();
+    const { signal } = end;
+    canvas.addEventListener('pointermove', moved, { signal });
+    canvas.addEventListener('pointerdown', moved, { signal });
+    canvas.addEventListener('pointerleave', left, { signal });
+    return () => end.abort();
   }, [viewport, pane]);
   const [x, y] = pointer ?? [-1, -1];
   const under = info.tiles.find(
@@ -122,17 +127,19 @@ function BufferLegend({ pane, info }: { readonly pane: ViewPane; readonly info: 
         );
       })}
       <figure className="heat-scale buffer-legend" aria-label={name}>
-        <figcaption>{name}</figcaption>
-        {viewMeanings[info.view]?.()}
-        {info.fullMotion > 0 && (
-          <div className="motion-scale">
-            <div className="motion-wheel" />
-            {t('Full colour: {pixels} pixels a frame and more', { pixels: info.fullMotion })}
-          </div>
-        )}
-        {info.tiles.length > 0 && (
-          <div className="view-under">{under ? tileName(under) : t('Point at a part to see what it is.')}</div>
-        )}
+        <details open={width >= WIDE}>
+          <summary>{name}</summary>
+          {viewMeanings[info.view]?.()}
+          {info.fullMotion > 0 && (
+            <div className="motion-scale">
+              <div className="motion-wheel" />
+              {t('Full colour: {pixels} pixels a frame and more', { pixels: info.fullMotion })}
+            </div>
+          )}
+          {info.tiles.length > 0 && (
+            <div className="view-under">{under ? tileName(under) : t('Point at a part to see what it is.')}</div>
+          )}
+        </details>
       </figure>
     </>
   );

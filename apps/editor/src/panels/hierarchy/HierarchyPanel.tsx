@@ -4,6 +4,7 @@ import type { ItemInstance } from '@headless-tree/core';
 import { AssistiveTreeDescription } from '@headless-tree/react';
 import { useVirtualizer } from '@tanstack/react-virtual';
 import {
+  type ComponentProps,
   type KeyboardEvent,
   type MouseEvent,
   type ReactNode,
@@ -25,6 +26,17 @@ import { useObjectTree } from './useObjectTree';
 
 /** Height of a row (CSS pixels), larger for fingers. */
 const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 24;
+
+/** Text for screen readers: the place of objects that are moved by keys, else how to begin. */
+const moveText: ComponentProps<typeof AssistiveTreeDescription>['getLabel'] = (drag) => {
+  const target = drag?.dragTarget;
+  if (!target) return `${t('Ctrl+Shift+D in the tree')}: ${t('Move objects by the arrow keys; Enter: put them there')}`;
+  return t('{names}: place {place} below {parent}', {
+    names: (drag.draggedItems ?? []).map((item) => item.getItemName()).join(', '),
+    place: 'childIndex' in target ? target.childIndex + 1 : 1,
+    parent: target.item.getItemName() || t('Scene'),
+  });
+};
 
 /** The tree of GameObjects; only visible rows are rendered. */
 export function HierarchyPanel(): ReactNode {
@@ -110,7 +122,7 @@ export function HierarchyPanel(): ReactNode {
           onContextMenu={note}
           onClick={(event) => event.target === event.currentTarget && document.selection.clear()}
         >
-          <AssistiveTreeDescription tree={tree} />
+          <AssistiveTreeDescription tree={tree} getLabel={moveText} />
           <div
             {...tree.getContainerProps(t('GameObjects'))}
             className="tree"

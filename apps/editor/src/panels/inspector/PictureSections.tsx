@@ -60,52 +60,39 @@ export function SettingsSection({ settings, names, children, ...section }: Setti
   );
 }
 
+/** Sections of the rendering settings, in order. */
+const sections = () =>
+  [
+    {
+      id: 'Sky',
+      title: t('Sky'),
+      help: t('What is seen behind the objects, and lights them.'),
+      icon: 'world',
+      names: sky,
+    },
+    { id: 'Fog', title: t('Fog'), help: t('How objects fade with distance.'), icon: 'world', names: fog },
+    { id: 'Picture', title: t('Picture'), help: t('How light becomes a picture.'), icon: 'contrast', names: picture },
+    {
+      id: 'Shadows',
+      title: t('Shadows'),
+      help: t('How the shadows of all lights are drawn.'),
+      icon: 'contrast',
+      names: shadows,
+    },
+    {
+      id: 'Picture effects',
+      title: t('Picture effects'),
+      help: t('What is done to the finished picture.'),
+      icon: 'contrast',
+      names: effects,
+    },
+  ] as const;
+
 /** Rendering settings of the scene. A feature that is off shows only its switch. */
 export function PictureSections({ settings }: { settings: SceneSettings }): ReactNode {
-  return (
-    <>
-      <SettingsSection
-        settings={settings}
-        id="Sky"
-        title={t('Sky')}
-        help={t('What is seen behind the objects, and lights them.')}
-        icon="world"
-        names={sky}
-      />
-      <SettingsSection
-        settings={settings}
-        id="Fog"
-        title={t('Fog')}
-        help={t('How objects fade with distance.')}
-        icon="world"
-        names={fog}
-      />
-      <SettingsSection
-        settings={settings}
-        id="Picture"
-        title={t('Picture')}
-        help={t('How light becomes a picture.')}
-        icon="contrast"
-        names={picture}
-      >
-        <TechniqueLimit settings={settings} />
-      </SettingsSection>
-      <SettingsSection
-        settings={settings}
-        id="Shadows"
-        title={t('Shadows')}
-        help={t('How the shadows of all lights are drawn.')}
-        icon="contrast"
-        names={shadows}
-      />
-      <SettingsSection
-        settings={settings}
-        id="Picture effects"
-        title={t('Picture effects')}
-        help={t('What is done to the finished picture.')}
-        icon="contrast"
-        names={effects}
-      />
-    </>
-  );
+  return sections().map((section) => (
+    <SettingsSection key={section.id} settings={settings} {...section}>
+      {section.id === 'Picture' && <TechniqueLimit settings={settings} />}
+    </SettingsSection>
+  ));
 }

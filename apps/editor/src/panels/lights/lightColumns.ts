@@ -10,7 +10,7 @@ interface Column {
 
 /** Columns of the table, in their order. */
 export const lightColumns = (): readonly Column[] => [
-  { id: 'on', title: t('On'), help: t('Whether the light is switched on.') },
+  { id: 'on', title: t('On##column'), help: t('Whether the light is switched on.') },
   {
     id: 'solo',
     title: t('Solo'),

@@ -11,7 +11,7 @@ export const guideItems = (): PaletteItem[] =>
       group: `${t('Guides')}, ${group}`,
       icon: 'eye',
       async run() {
-        const { openBeside } = await import('@farol/engine/files');
+        const { openBeside } = await import('../../files/readScene');
         return openBeside('gallery', t('Guides'), { path: `../guides/${file}.html` });
       },
     })),

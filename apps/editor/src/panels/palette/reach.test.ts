@@ -103,6 +103,6 @@ it('finds every action that can be done in the palette, by its name', () => {
 
 it('finds the guides of the site by their names', () => {
   const items = paletteItems(makeEditor());
-  for (const name of ['Fog that lights light', 'Light in real units', 'Windows and panels'])
+  for (const name of ['Fog that lights light', 'Light in real units', 'Using the editor'])
     expect(matchItems(items, name)[0]).toMatchObject({ label: name, group: expect.stringMatching(/^Guides, /) });
 });

@@ -61,7 +61,7 @@ function curvesOf(rows: readonly TimelineRow[]): ShownCurve[] {
   });
 }
 
-/** Least and greatest displayed value of keys in a time range; null when there are none. */
+/** Smallest and largest displayed value of keys in a time range; null when there are none. */
 export function valuesOfCurves(view: TimelineView, first = -Infinity, last = Infinity): [number, number] | null {
   let [low, high] = [Infinity, -Infinity];
   for (const curve of shownCurves(view)) {

@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import { lazy, type ReactNode, Suspense, useLayoutEffect, useRef } from 'react';
 import { PanelBoundary } from '../../ui/PanelBoundary';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { PointerControls } from '../../viewport/PointerControls';
 import { viewOf } from '../../viewport/shading/Shading';
 import './viewport.css';
 import { PreviewFrame } from './PreviewFrame';
@@ -29,6 +30,7 @@ export function ViewportPanel(): ReactNode {
   const place = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     viewport.canvas.ariaLabel = t('Picture of the scene: arrow keys turn it, plus and minus bring it nearer');
+    viewport.panes.control(PointerControls);
     viewport.attach(place.current!);
     return () => viewport.detach();
   }, [viewport]);

@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
 import type { Shading } from '../shading/Shading';
+import type { PointerControls } from '../PointerControls';
 import type { Bounds } from './paneSurface';
 import { halfShare, limitShare, type PaneShare } from './PaneShare';
 import { type PaneRectangle, ViewPane } from './ViewPane';
@@ -27,6 +28,7 @@ export class Panes {
   private part: PaneShare = halfShare;
   private width = 1;
   private height = 1;
+  private Controls: typeof PointerControls | null = null;
 
   /**
    * @param hasKeys - asked at each key press whether camera controls may use it
@@ -151,6 +153,12 @@ export class Panes {
     return changed;
   }
 
+  /** Lets pointer, wheel and keys move the cameras, also of views that are opened later. */
+  control(Controls: typeof PointerControls): void {
+    this.Controls = Controls;
+    for (const { editorCamera } of this.panes) editorCamera.control(Controls);
+  }
+
   /** Registers the cameras' pointer listeners again, after those that the canvas has now. */
   listenLast(): void {
     for (const { editorCamera } of this.panes) editorCamera.listenLast();
@@ -165,7 +173,9 @@ export class Panes {
   }
 
   private make(name: ViewPane['name'], shading: Shading): ViewPane {
-    return new ViewPane(name, shading, this.canvas, this.hasKeys);
+    const pane = new ViewPane(name, shading, this.canvas, this.hasKeys);
+    if (this.Controls) pane.editorCamera.control(this.Controls);
+    return pane;
   }
 
   /** Rectangle of a view: top view upper left, main view upper right, front view lower left, right view lower right. */

@@ -10,13 +10,13 @@ export interface ShareLine {
   readonly name: string;
   /** Object that is selected by the line; null for light of no object. */
   readonly object: GameObject | null;
-  /** Linear RGB. */
+  /** Light of this line at the pixel, linear RGB. */
   readonly color: Color;
   /** Part of all light that reaches the pixel, 0 to 1. */
   readonly share: number;
-  /** Part of it that it would be without its shadow; null where that is no question. */
+  /** `share` if the light cast no shadow; null for what casts none. */
   readonly unshadowed: number | null;
-  /** Linear RGB without its shadow; null likewise. */
+  /** `color` if the light cast no shadow; null for what casts none. */
   readonly unshadowedColor: Color | null;
   /** Distance (m); null for light of no place. */
   readonly distance: number | null;

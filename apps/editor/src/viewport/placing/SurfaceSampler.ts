@@ -2,7 +2,7 @@ import type { GameObject } from '@farol/engine';
 import { BufferAttribute, type Matrix4, type Mesh, Triangle, Vector3 } from 'three';
 import { readableMeshes } from '../drawnMeshes';
 
-/** Least y of the unit normal of a face that counts as facing up. */
+/** Smallest y of the unit normal of a face that counts as facing up. */
 const UPWARDS = 0.2;
 
 const triangle = new Triangle();

@@ -10,9 +10,9 @@ export interface Cells {
   readonly fullest: number;
 }
 
-/** Most lights of a cell: PlayCanvas counts them in a byte. */
+/** Maximum number of lights of a cell: PlayCanvas counts them in a byte. */
 export const mostLightsPerCell = 255;
-/** Most entries of the lists of all cells: 64 MB of 16-bit indices. */
+/** Maximum number of entries of the lists of all cells: 64 MB of 16-bit indices. */
 const mostEntries = 2 ** 25;
 
 /** Bounding boxes of the point and spot lights of a scene, at their current places. */

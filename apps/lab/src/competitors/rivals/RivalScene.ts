@@ -90,10 +90,10 @@ export interface RivalTexture {
   readonly wrapU: RivalWrap;
   readonly wrapV: RivalWrap;
   readonly isMagLinear: boolean;
-  /** `none`: no mip levels. */
+  /** Filter between mip levels; `none`: the texture has no mip levels. */
   readonly mipmaps: 'none' | 'nearest' | 'linear';
   readonly isMinLinear: boolean;
-  /** 1 or more. */
+  /** Anisotropic filtering, 1 (none) or more. */
   readonly anisotropy: number;
 }
 

@@ -5,7 +5,7 @@ import { EffortFields } from './EffortFields';
 import { SeriesFields } from './SeriesFields';
 import { SizeFields } from './SizeFields';
 
-/** Most charts of a run. */
+/** Maximum number of charts of a run. */
 const MOST_SERIES = 8;
 
 interface BuilderProps {

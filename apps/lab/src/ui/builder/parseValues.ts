@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 
-/** Most values of a series: each is a case for every competitor. */
+/** Maximum number of values of a series: each is a case for every competitor. */
 export const MOST_VALUES = 20;
 
 /**

@@ -1,7 +1,7 @@
 import type { LabPlan } from '../../plan/LabPlan';
 import type { LabRow } from '../../results/LabRun';
 
-/** Most pictures of a run in memory: 240 kB each at 320 × 180. */
+/** Maximum number of pictures of a run in memory: 240 kB each at 320 × 180. */
 const MOST = 400;
 
 /** Pictures of the runs of this session, as drawn: kept and exported runs have thumbnails alone. */

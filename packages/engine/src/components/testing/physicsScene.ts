@@ -43,7 +43,7 @@ export function run(scene: Scene, steps: number): void {
   for (let i = 0; i < steps; i++) scene.update(1 / 60);
 }
 
-/** Bits of where every object is. */
+/** Positions, rotations and scales of all objects, as one list of numbers to compare. */
 export function placesOf(scene: Scene): number[] {
   const places: number[] = [];
   scene.traverse(({ object3D: { position, quaternion, scale } }) =>

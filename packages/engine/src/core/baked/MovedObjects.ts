@@ -5,7 +5,7 @@ import type { Scene } from '../Scene';
 
 /** Updates of the world matrices between two checks. */
 const UPDATES = 30;
-/** Least difference of an element of a world matrix that counts as movement. */
+/** Smallest difference of an element of a world matrix that counts as movement. */
 const LEAST = 1e-3;
 
 /** Warns once of a lightmapped mesh that moves while the scene plays, since its baked light does not follow. */

@@ -42,7 +42,7 @@ describe('pictures', () => {
   });
 
   it('turns heights into normals that lean away from what rises', () => {
-    // rises to the right, in the middle; and to the top
+    // two height maps: one rises to the right, the other to the top
     const right = normalsOfHeights(
       pictureOf(8, 8, (x) => [x * 20, x * 20, x * 20, 255]),
       1,

@@ -27,7 +27,7 @@ interface Exr {
   blocks: Buffer[];
 }
 
-/** An EXR of half floats; a block is its data, or what stands before them too. */
+/** Writes an EXR of half floats. Each block is its data alone, or its data with the header of the block. */
 function exr({
   compression = ZIP,
   channels = 3,

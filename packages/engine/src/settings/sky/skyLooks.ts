@@ -2,13 +2,13 @@ import type { Vector3Tuple } from '@farol/editing/fields';
 import type { SkyPreset } from '../pictureFields';
 
 export interface SkyDisc {
-  /** Radians above the horizon. */
+  /** Elevation above the horizon (rad). */
   readonly elevation: number;
-  /** Radians from +x to +z. */
+  /** Azimuth from +x to +z (rad). */
   readonly azimuth: number;
-  /** Radians from the middle to the edge. */
+  /** Angular radius, from the middle to the edge (rad). */
   readonly radius: number;
-  /** Linear radiance. */
+  /** Radiance, linear RGB. */
   readonly colour: Vector3Tuple;
   /** Radiance round the disc, near it; and that of the wide glow. */
   readonly glow: Vector3Tuple;

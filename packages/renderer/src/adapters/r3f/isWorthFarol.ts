@@ -2,7 +2,7 @@ import type { ArrayCamera, Camera, Mesh, Object3D, OrthographicCamera, Perspecti
 import { isLit } from '../../materials/isLit';
 import type { FarolView } from '../../renderer/SceneView';
 
-/** Most objects tested; a scene with more counts as lit. */
+/** Maximum number of objects tested; a scene with more counts as lit. */
 const LOOKS = 64;
 
 let looks = 0;

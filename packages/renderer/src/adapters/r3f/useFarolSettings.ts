@@ -6,7 +6,7 @@ import type { FarolRenderer } from '../../renderer/FarolRenderer';
 import { CanvasFarol, type FarolSettings } from './CanvasFarol';
 import { useFarol } from './useFarol';
 
-/** Options of the FarolRenderer, and of how a component asks for it; all may change at any time. */
+/** Props of `<Farol>` and `<FarolInComposer>`; all may change at any time. */
 export interface FarolProps extends FarolOptions {
   /** Effects: must be the same list from render to render (`useMemo`); freed with the component. Default none. */
   effects?: FarolOptions['effects'];

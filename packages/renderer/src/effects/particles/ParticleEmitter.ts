@@ -31,7 +31,7 @@ const nothing = new RawShaderMaterial({
 });
 nothing.allowOverride = false;
 
-/** Most lights of an emitter: those of a LightField. */
+/** Maximum number of lights of an emitter: those of a LightField. */
 const MOST_LIGHTS = 2 ** 18;
 /** Texture of one light without a range, which lights nothing. */
 const DARK = new DataTexture(new Float32Array(4), 1, 1, undefined, FloatType);

@@ -68,8 +68,8 @@ export interface FlipBook {
  */
 export interface ParticleSettings {
   /**
-   * Most particles at once, 1 to 1,048,576; more than that do not begin. Room is kept for the longest life of each, so that
-   * `rate` × the longest life is enough. Default 1000. Another one begins anew.
+   * Maximum number of particles at once, 1 to 1,048,576; more than that do not begin. Room is kept for the longest life
+   * of each, so that `rate` × the longest life is enough. Default 1000. Another one begins anew.
    */
   capacity: number;
   /** Seed of all random numbers: equal seeds and steps give equal particles. Default 1. */

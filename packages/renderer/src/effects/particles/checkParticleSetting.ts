@@ -3,9 +3,9 @@ import type { ParticleSettings } from './ParticleSettings';
 /** Says which values are allowed, in words that follow "give"; null when the value is allowed. */
 type Check = (value: unknown) => string | null;
 
-/** Most particles of an emitter: 1024 × 1024 texels. */
+/** Maximum number of particles of an emitter: 1024 × 1024 texels. */
 export const MOST_PARTICLES = 1_048_576;
-/** Most colliders of an emitter, as particleMotion.glsl has it. */
+/** Maximum number of colliders of an emitter, as particleMotion.glsl has it. */
 export const MOST_COLLIDERS = 4;
 
 const isNumber = (value: unknown, least = -Infinity, most = Infinity): boolean =>

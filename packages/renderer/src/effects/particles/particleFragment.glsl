@@ -17,6 +17,7 @@ uniform highp sampler2D farol_particleDistances; // distances of the opaque surf
 uniform highp int farol_particleStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
 uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: texels of depth a pixel
 #endif
+uniform highp float farol_hiding; // share of fog's own light: 1, or 0 where particles add to what is behind them
 in highp vec4 farol_particleColor;
 in highp vec4 farol_particleUV; // xy, zw: uv in the current and the next picture of the flip book
 in highp vec3 farol_particleBall; // xy: place on the particle, -1 to 1; z: share of the next picture, 0 to 1
@@ -64,11 +65,8 @@ float farol_brightest = max(1.0, max(farol_color.r, max(farol_color.g, farol_col
 gl_FragColor = vec4(min(1.0, 4.0 * farol_color.a * farol_brightest));
 return;
 #endif
-#ifdef FAROL_ADDITIVE
-farol_color.rgb *= farol_mediaAt(farol_particleDistance).a;
-#else
-farol_color.rgb = farol_throughMedia(farol_color.rgb, farol_particleDistance);
-#endif
+vec4 farol_between = farol_mediaAt(farol_particleDistance);
+farol_color.rgb = farol_color.rgb * farol_between.a + farol_between.rgb * farol_hiding;
 gl_FragColor = farol_color;
 #include <tonemapping_fragment>
 #include <colorspace_fragment>
@@ -78,9 +76,5 @@ gl_FragColor = farol_color;
   #else
     float farol_fog = smoothstep(fogNear, fogFar, vFogDepth);
   #endif
-  #ifdef FAROL_ADDITIVE
-    gl_FragColor.rgb *= 1.0 - farol_fog;
-  #else
-    gl_FragColor.rgb = mix(gl_FragColor.rgb, fogColor, farol_fog);
-  #endif
+  gl_FragColor.rgb = mix(gl_FragColor.rgb, fogColor * farol_hiding, farol_fog);
 #endif

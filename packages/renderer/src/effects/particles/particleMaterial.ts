@@ -103,7 +103,6 @@ export function particleMaterial(
   });
   const defines: Record<string, string> = {};
   if (look.render !== 'billboard') defines[look.render === 'mesh' ? 'FAROL_MESH' : 'FAROL_STRETCHED'] = '';
-  if (look.blending === 'additive') defines.FAROL_ADDITIVE = '';
   if (look.lit) defines.FAROL_LIT = '';
   if (look.map) defines.FAROL_MAP = '';
   if (look.soft) defines.FAROL_SOFT = '';
@@ -115,6 +114,7 @@ export function particleMaterial(
     fragment: ['particleFragment'],
     uniforms: {
       ...uniforms,
+      farol_hiding: { value: look.blending === 'additive' ? 0 : 1 },
       farol_offset: frame.uniforms.farol_offset,
       farol_media: frame.uniforms.farol_media,
       farol_mediaSpace: frame.uniforms.farol_mediaSpace,

@@ -2,7 +2,7 @@ import { type Camera, Matrix4, Vector4 } from 'three';
 import { LightWatch } from '../antialiasing/LightWatch';
 import { FroxelTexture } from './FroxelTexture';
 
-/** Most frames that are averaged while nothing changes. */
+/** Maximum number of frames that are averaged while nothing changes. */
 const MOST = 64;
 /** Frames whose mean the history is after lights have changed. */
 const CHANGED = 3;
@@ -18,6 +18,13 @@ export class FogHistory {
   frame = 0;
   /** Frames in the mean; 0 for none. */
   count = 0;
+  /** Share of this frame in slices that are lit in it, and in the others of their turns. */
+  share = 1;
+  otherShare = 1;
+  /** Frames since lights changed. */
+  private sinceLit = Infinity;
+  /** Lights of the last frame. */
+  lightCount = 0;
   /** Sum over the settings of the last frame, by which changes are found. */
   looks = 0;
   private readonly textures = [new FroxelTexture(), new FroxelTexture()];
@@ -39,12 +46,20 @@ export class FogHistory {
   /**
    * Counts a frame, by what has changed since the last.
    * @param most - frames in the mean while things move
-   * @param lit - whether lights have changed
+   * @param changed - whether lights have changed
    * @param isStill - whether neither the camera nor shadows nor the noise have
+   * @param turns - frames in which each slice is lit once
+   * @param forgets - frames in which the mean stays short after lights have changed
    */
-  note(most: number, lit: boolean, isStill: boolean): void {
-    const limit = lit ? Math.min(CHANGED, most) : isStill ? MOST : most;
+  note(most: number, changed: boolean, isStill: boolean, turns = 1, forgets = 0): void {
+    this.sinceLit = changed ? 0 : this.sinceLit + 1;
+    const isLit = changed || this.sinceLit <= forgets;
+    const isFirst = this.count === 0;
+    const limit = isLit ? Math.min(CHANGED, most) : isStill ? MOST * turns : Math.max(most, turns > 1 ? 2 * turns : 1);
     this.count = Math.min(this.count + 1, limit);
+    this.share = 1 / (isLit ? this.count : Math.ceil(this.count / turns));
+    // a slice that waits for its turn shows what is lit beside it, rather than light that is gone
+    this.otherShare = isFirst ? 1 : isLit ? this.share : 0;
   }
 
   /** Ends a frame: it is the last one from now on. */

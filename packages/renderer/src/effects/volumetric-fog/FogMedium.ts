@@ -3,7 +3,7 @@ import type { Frame } from '../../frame/Frame';
 import type { FogVolume } from './FogVolume';
 import type { VolumetricFog } from './VolumetricFog';
 
-/** Most volumes in view that are drawn; as FAROL_MOST_VOLUMES in fogMedium.glsl. */
+/** Maximum number of volumes in view that are drawn; as FAROL_MOST_VOLUMES in fogMedium.glsl. */
 const MOST_VOLUMES = 16;
 
 const many = <T>(make: () => T): { readonly value: T[] } => ({ value: Array.from({ length: MOST_VOLUMES }, make) });
@@ -21,7 +21,7 @@ export class FogMedium {
     farol_fogVolumeScatter: many(() => new Vector4()),
     farol_fogVolumeShape: many(() => new Vector2()),
   };
-  /** Sum over all settings but time, another when one of them has changed. */
+  /** Checksum of all settings but time: it changes with any of them, and the history is then dropped. */
   looks = 0;
   /** Whether the noise has moved since the last frame. */
   drifts = false;

@@ -1,5 +1,6 @@
 import { type Camera, Color, type Data3DTexture, Vector2, Vector3, Vector4 } from 'three';
 import { drawBuffersOf, lacksFloatTargets } from '../../gpu/checkDevice';
+import { isSoftwareRasteriser } from '../../gpu/graphicsDevice';
 import type { FullscreenPass } from '../../gpu/FullscreenPass';
 import type { FroxelBuffer } from '../../frame/EffectBuffers';
 import type { FarolEffect } from '../../frame/FarolEffect';
@@ -14,7 +15,8 @@ import { fogBackgroundPass, fogIntegratePass, fogLightsPass, fogScatterPass } fr
 import { FogHistory } from './FogHistory';
 import { FogMedium } from './FogMedium';
 import { foggedTwin, isFogged } from './foggedTwin';
-import { EXPONENT, fogQualities, type Froxels, sliceDepth, sliceScale } from './froxels';
+import { type FogWork, fogWork, turnsOf } from './fogWork';
+import { checkFroxels, EXPONENT, type Froxels, sliceDepth, sliceScale } from './froxels';
 import { FroxelTexture } from './FroxelTexture';
 import { halton } from '../antialiasing/halton';
 import mediaOn from './mediaOn.glsl?raw';
@@ -64,12 +66,15 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
   readonly wind = new Vector3(0.5, 0, 0);
   /** Time (s) by which the clouds drift; null: the page's. Default null. */
   time: number | null = null;
-  /** Froxels across, up and away, which is a multiple of 8. Default `fogQualities.medium`: 160 × 90 × 64. */
-  froxels: Froxels = fogQualities.medium;
   /** Frames in the mean while things move, 1 for none but the present one. Default 12. */
   frames = 12;
   /** Froxels of the last frame, see `FroxelBuffer`; null before the first. */
   scattered: Data3DTexture | null = null;
+  private chosen: Froxels | null = null;
+  private work: FogWork = fogWork(false, false);
+  private isSoftware: boolean | null = null;
+  /** Frames in which each slice is lit once. */
+  private turns = 1;
   private isOn = false;
   private isMade = false;
   private hasWarned = false;
@@ -93,6 +98,24 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
   /** The frame's camera, before an effect such as TAA moves it. */
   private camera!: Camera;
   private readonly viewport = new Vector4();
+
+  /**
+   * Froxels across, up and away, which is a multiple of 8. Default by the device, from its first frame on:
+   * `fogQualities.medium`, 160 × 90 × 64; `low` with the quality 'lite'; `lowest` where a software rasteriser draws. Null: the default.
+   * @throws RangeError for numbers that a grid cannot have
+   */
+  get froxels(): Froxels {
+    return this.chosen ?? this.work.froxels;
+  }
+
+  set froxels(froxels: Froxels | null) {
+    this.chosen = froxels === null ? null : checkFroxels(froxels);
+  }
+
+  /** Frames of a still scene after which its picture changes hardly, on the device of the last frame. */
+  get stillFrames(): number {
+    return Math.max(this.work.stillFrames, 2 * this.turns);
+  }
 
   get bytes(): number {
     let bytes = this.integrated.bytes + this.lights.bytes;
@@ -193,12 +216,17 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     const { grid, integrated, medium } = this;
     const { camera, uniforms } = frame;
     const layers = (this.layers ||= drawBuffersOf(frame.gl) >= 8 ? 8 : 4);
+    this.isSoftware ??= isSoftwareRasteriser(frame.gl);
+    this.work = fogWork(frame.isLite, this.isSoftware);
     const size = this.froxels;
     const history = this.historyOf(this.camera);
     // their records in the light table, which the renderer would draw after this
     if (frame.fields?.isDrawn === false) frame.fields.render();
     medium.read(this, frame);
-    this.note(frame, history);
+    const lights = frame.lights.directionals.length + frame.lights.unboundeds.length + frame.lights.listed;
+    // without a mean there is nothing to wait for a turn with
+    this.turns = this.frames <= 1 ? 1 : turnsOf(size, lights, this.work.sums, layers);
+    this.note(frame, history, lights);
     grid.farol_fogGrid.value.set(size);
     grid.farol_fogSlices.value.set(sliceScale(this.distance), EXPONENT);
     const { elements: e } = camera.projectionMatrix;
@@ -246,7 +274,8 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     { camera }: Frame,
     history: FogHistory,
   ): void {
-    const { count, frame } = history;
+    const { turns } = this;
+    const { frame } = history;
     uniforms.farol_fogLights.value = this.lights.texture;
     uniforms.farol_fogBefore.value = history.before.texture;
     uniforms.farol_fogToWorld.value.copy(camera.matrixWorld);
@@ -256,21 +285,28 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     const share = uniforms.farol_fogShare.value;
     if (this.frames <= 1) share.set(0, 0, 0, 1);
     else {
-      const index = (frame % 1024) + 1;
-      share.set(halton(index, 2) - 0.5, halton(index, 3) - 0.5, halton(index, 5) - 0.5, 1 / count);
+      const index = (Math.floor(frame / turns) % 1024) + 1;
+      share.set(halton(index, 2) - 0.5, halton(index, 3) - 0.5, halton(index, 5) - 0.5, history.share);
     }
+    uniforms.farol_fogTurn.value[0] = turns;
+    uniforms.farol_fogTurn.value[1] = frame % turns;
+    uniforms.farol_fogOtherShare.value = history.otherShare;
   }
 
   /** Finds how many frames the history is the mean of, by what has changed. */
-  private note({ camera, lights, fields, shadowMapsDrawn }: Frame, history: FogHistory): void {
-    const { medium } = this;
+  private note({ camera, lights, fields, shadowMapsDrawn }: Frame, history: FogHistory, lightCount: number): void {
+    const { medium, turns, work } = this;
     if (history.looks !== medium.looks) history.count = 0;
     history.looks = medium.looks;
     const { elements: e } = camera.projectionMatrix;
     const { x, y } = history.ray;
-    const isStill =
-      !medium.drifts && fields === null && shadowMapsDrawn === 0 && history.view.equals(camera.matrixWorldInverse);
-    history.note(this.frames, history.lights.changed(lights), isStill && near(e[0], x) && near(e[5], y));
+    const isStill = !medium.drifts && fields === null && shadowMapsDrawn === 0;
+    const isSeenAlike = history.view.equals(camera.matrixWorldInverse) && near(e[0], x) && near(e[5], y);
+    // a camera that moves has other lights in view, which are no change
+    const isOther = isSeenAlike && lightCount !== history.lightCount;
+    history.lightCount = lightCount;
+    const changed = history.lights.changed(lights) || isOther;
+    history.note(this.frames, changed, isStill && isSeenAlike, turns, work.forgets);
   }
 
   private historyOf(camera: Camera): FogHistory {

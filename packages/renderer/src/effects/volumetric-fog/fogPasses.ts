@@ -63,6 +63,8 @@ export function fogScatterPass(grid: GridUniforms, medium: MediumUniforms, layer
       farol_fogToBefore: { value: new Matrix4() },
       farol_fogRayBefore: { value: new Vector4() },
       farol_fogShare: { value: new Vector4() },
+      farol_fogTurn: { value: new Int32Array([1, 0]) },
+      farol_fogOtherShare: { value: 1 },
       farol_anisotropy: { value: 0 },
     },
     shared: 'all',

@@ -13,6 +13,9 @@ uniform highp mat4 farol_fogToWorld; // from view space
 uniform highp mat4 farol_fogToBefore; // from view space to that of the last frame
 uniform highp vec4 farol_fogRayBefore; // x and y scale of the last frame's projection, and its x and y shift
 uniform highp vec4 farol_fogShare; // xyz: place in the froxel (-0.5 to 0.5); w: share of this frame
+// number of slices of which one is lit in a frame; index of that one among them
+uniform highp ivec2 farol_fogTurn;
+uniform highp float farol_fogOtherShare; // share of the lit slice in the others
 uniform highp float farol_anisotropy;
 layout(location = 0) out highp vec4 farol_froxel0;
 layout(location = 1) out highp vec4 farol_froxel1;
@@ -62,7 +65,8 @@ void farol_addToFog(const in FarolLight light) {
   farol_fogLight += color * farol_phase(dot(light.direction, farol_fogView), farol_anisotropy);
 }
 
-vec4 farol_froxelAt(const in int slice) {
+// light that a froxel scatters in this frame, and extinction
+vec4 farol_scatteredAt(const in int slice) {
   vec2 size = vec2(farol_fogGrid.xy);
   vec2 place = (gl_FragCoord.xy + farol_fogShare.xy) / size;
   float depth = farol_fogDepth(float(slice) + 0.5 + farol_fogShare.z);
@@ -90,20 +94,29 @@ vec4 farol_froxelAt(const in int slice) {
     }
     froxel.rgb = min(medium.rgb * farol_fogLight, 60000.0);
   }
-  if (farol_fogShare.w < 1.0) {
-    vec3 middle = farol_fogRayAt(gl_FragCoord.xy / size) * farol_fogDepth(float(slice) + 0.5);
+  return froxel;
+}
+
+// a froxel joined with what earlier frames have there
+vec4 farol_joined(const in int slice, const in vec4 froxel, const in float share) {
+  if (share < 1.0) {
+    vec3 middle = farol_fogRayAt(gl_FragCoord.xy / vec2(farol_fogGrid.xy)) * farol_fogDepth(float(slice) + 0.5);
     vec3 before = (farol_fogToBefore * vec4(middle, 1.0)).xyz;
     vec3 at = vec3((before.xy * farol_fogRayBefore.xy / -before.z - farol_fogRayBefore.zw) * 0.5 + 0.5,
       log(1.0 + max(-before.z, 0.0) / farol_fogSlices.x) / farol_fogSlices.y);
     if (before.z < 0.0 && all(greaterThanEqual(at, vec3(0.0))) && all(lessThanEqual(at, vec3(1.0))))
-      froxel = mix(texture(farol_fogBefore, at), froxel, farol_fogShare.w);
+      return mix(texture(farol_fogBefore, at), froxel, share);
   }
   return froxel;
 }
 //# main
+vec4 lit;
 // a loop, since eight copies of the function would take long to compile
 for (int i = 0; i < FAROL_FOG_LAYERS; i++) {
-  vec4 froxel = farol_froxelAt(farol_fogGrid.w + i);
+  int slice = farol_fogGrid.w + i;
+  int place = i % farol_fogTurn.x;
+  if (place == 0) lit = farol_scatteredAt(slice + farol_fogTurn.y);
+  vec4 froxel = farol_joined(slice, lit, place == farol_fogTurn.y ? farol_fogShare.w : farol_fogOtherShare);
   if (i == 0) farol_froxel0 = froxel;
   else if (i == 1) farol_froxel1 = froxel;
   else if (i == 2) farol_froxel2 = froxel;

@@ -34,7 +34,22 @@ export type Froxels = readonly [number, number, number];
 
 /** Numbers of froxels, by quality. */
 export const fogQualities = {
+  lowest: [64, 36, 32],
   low: [96, 54, 32],
   medium: [160, 90, 64],
   high: [240, 135, 96],
 } as const satisfies Record<string, Froxels>;
+
+/**
+ * @returns the froxels
+ * @throws RangeError for numbers that a grid of froxels cannot have
+ */
+export function checkFroxels(froxels: Froxels): Froxels {
+  const [across, up, away] = froxels;
+  const whole = froxels.length === 3 && froxels.every((count) => Number.isInteger(count) && count > 0);
+  if (!whole || away % 8 !== 0)
+    throw new RangeError(
+      `VolumetricFog: froxels is [${[across, up, away].join(', ')}]; it is to be three whole numbers above 0, the last a multiple of 8.`,
+    );
+  return froxels;
+}

@@ -46,11 +46,14 @@ export class ForwardPass implements Pass {
     this.outside = loopOutside === loop ? this.twins : forwardTwins(loopOutside);
   }
 
+  isIdle({ queue, fills, view }: Frame): boolean {
+    return (queue[this.list].length === 0 && !(this.list === 'opaque' && fills === 'behind')) || view === 'overdraw';
+  }
+
   render(frame: Frame): void {
     const items = frame.queue[this.list];
     if (this.list === 'transparent') frame.resources.put('transparent', items);
-    const fills = this.list === 'opaque' && frame.fills === 'behind';
-    if ((items.length === 0 && !fills) || frame.view === 'overdraw') return;
+    if (this.isIdle(frame)) return;
     frame.bindTarget();
     const twins = (frame.fields?.twinsFor(this.loop) ?? this.twins)(frame.view);
     const outside = (frame.fields?.twinsFor(this.loopOutside) ?? this.outside)(frame.view);
@@ -59,7 +62,7 @@ export class ForwardPass implements Pass {
       const isInside = twins === outside || (item.route === 'split' && hasDepthTwin(item.material));
       this.draw(frame, item, isInside ? twins : outside, onlyLit);
     }
-    if (fills) this.background.draw(frame);
+    if (this.list === 'opaque' && frame.fills === 'behind') this.background.draw(frame);
   }
 
   dispose(): void {

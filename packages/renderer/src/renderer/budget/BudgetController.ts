@@ -5,7 +5,7 @@ import { medianOfLast, RECENT, SteadyLoad } from './SteadyLoad';
 
 /** Change of the scale from one frame to the next: too little to be seen. */
 const STEP = 1 / 64;
-/** Steps from the goal above which a frame goes by two. */
+/** Distance to the goal (steps) above which the scale changes by two steps a frame. */
 const FAR = 8;
 /** Share of the budget that predictions aim at: frames vary. */
 const AIM = 0.98;
@@ -22,11 +22,11 @@ const MEMORY = 0.95;
 const [LATE, NEW_LATE] = [1.07, 1.05];
 /** Intervals below this share of the budget tell how much faster a frame is, others may be the display's. */
 const EARLY = 0.93;
-/** Share of the budget by which intervals are off above which the scale goes by two steps. */
+/** Error of intervals, as a share of the budget, above which the scale changes by two steps. */
 const QUICK = 0.25;
 /** Share of the budget up to which a larger scale is tried, by a prediction that does not know the display. */
 const MOST = 1.06;
-/** Intervals in time after which a trial has succeeded, and late ones up to which it is to blame. */
+/** Punctual intervals after which a trial has succeeded, and late ones up to which the trial is to blame. */
 const [TRIAL, BLAME] = [8, 240];
 /** Intervals before a larger scale is tried: at first and at least, after a failure and at most. */
 const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
@@ -56,14 +56,14 @@ export class BudgetController {
   /** Cost of the pixels at scale 1 (ms). */
   private readonly load = new SteadyLoad();
   private readonly restlessness = new Restlessness();
-  /** Intervals in time since the scale changed, and since a larger one was tried. */
+  /** Punctual intervals since the scale changed, and since a larger one was tried. */
   private inTime = 0;
   private sinceTrial = Infinity;
   /** Whether the last trial may be why frames are late. */
   private blamed = false;
-  /** Last mean of the intervals in time, as a share of the budget. */
+  /** Last mean of the punctual intervals, as a share of the budget. */
   private usual = 0;
-  /** Intervals in time before a larger scale is tried: in general, and after failures. */
+  /** Punctual intervals before a larger scale is tried: in general, and after failures. */
   private pace = PACE;
   private patience = 0;
 
@@ -101,6 +101,7 @@ export class BudgetController {
     const area = scale * scale;
     if (this.load.add(ms / (this.constant + area))) this.sums.fill(0);
     if (this.count >= 3) this.learn(area, ms);
+    this.restlessness.count(this.neededStep(area, ms));
     if (source === 'gpu') this.byTime();
     else this.byInterval();
   }
@@ -130,7 +131,6 @@ export class BudgetController {
     const { load } = this;
     const off = this.share(this.step) - AIM;
     const band = load.isSteady ? BAND + load.doubt : SEARCH_BAND + load.doubt / 2;
-    this.restlessness.count(off < -band);
     if (Math.abs(off) > band) {
       const goal = this.bestStep();
       // a steady load is corrected little by little
@@ -148,8 +148,7 @@ export class BudgetController {
     if (goal > step) restlessness.reduced(Math.max(0, goal - this.goal));
     else if (goal < step) {
       const begins = this.goal >= step;
-      if (!begins) goal = Math.max(goal, this.goal);
-      else goal = restlessness.mayEnlarge ? Math.max(goal, step - restlessness.stride) : step;
+      goal = begins ? Math.min(step, Math.max(goal, restlessness.leastFrom(step))) : Math.max(goal, this.goal);
       if (goal < Math.min(this.goal, step)) restlessness.enlarged(Math.min(this.goal, step) - goal);
     }
     this.goal = goal;
@@ -157,7 +156,19 @@ export class BudgetController {
 
   /** Step whose predicted time is nearest to the one aimed at. */
   private bestStep(): number {
-    const scale = Math.sqrt(Math.max((AIM * this.budget.frame) / this.load.mean - this.constant, 0));
+    return this.stepFor(this.load.mean);
+  }
+
+  /** Step that a frame needed. An interval that may be the display's does not tell: a larger scale may have done. */
+  private neededStep(area: number, ms: number): number {
+    const share = ms / this.budget.frame;
+    if (this.source === 'interval' && share > EARLY && share < LATE) return 0;
+    return this.stepFor(ms / (this.constant + area));
+  }
+
+  /** Step at which a load is in time. */
+  private stepFor(load: number): number {
+    const scale = Math.sqrt(Math.max((AIM * this.budget.frame) / load - this.constant, 0));
     return Math.min(this.steps, Math.max(0, Math.round((this.budget.max - scale) / STEP)));
   }
 
@@ -205,16 +216,15 @@ export class BudgetController {
     if (this.step === 0) this.reason = tells ? REASONS.largest : REASONS.held;
     else if (!tells) this.reason = REASONS.held;
     const hasRoom = this.step > 0 && this.share(this.step - 1) <= (tells ? 1 : MOST) - 2 * doubt;
-    this.restlessness.count(hasRoom);
-    const wait = Math.max(this.patience, tells ? 0 : this.pace);
-    if (!hasRoom || this.inTime < wait || !this.restlessness.mayEnlarge) return;
+    const pace = this.restlessness.isRestless ? PATIENCE : this.pace;
+    const wait = Math.max(this.patience, tells ? 0 : pace);
+    if (!hasRoom || this.inTime < wait || this.restlessness.leastFrom(this.step) >= this.step) return;
     this.turn(Math.max(0, this.step - (share + doubt < 1 - QUICK ? 2 : 1)));
     this.inTime = this.sinceTrial = 0;
     this.reason = tells ? REASONS.fast : REASONS.trial;
   }
 
   private goLower(steps: number): void {
-    this.restlessness.count(false);
     // a trial is to blame if its step back is enough
     this.blamed = this.sinceTrial < BLAME && !this.blamed;
     if (this.blamed) {

@@ -11,11 +11,11 @@ const OTHERS = 32;
 
 /**
  * Times frames of a host for a controller: by the GPU where it has a timer, else from one frame to the next. A frame begins when
- * the camera is drawn that began the one before: others draw mirrors and further viewports of it.
+ * the camera that began the last frame is drawn again: draws by other cameras are mirrors or further viewports of it.
  */
 export class FrameClock {
   private timer: GpuTimer | null = null;
-  /** Timer that times the passes of this frame, in place of the own one. */
+  /** The renderer's timer of passes, used in place of `timer` while it runs; null for none. */
   private passTimer: GpuTimer | null = null;
   private controller: BudgetController | null = null;
   private lead: WeakRef<Camera> | null = null;

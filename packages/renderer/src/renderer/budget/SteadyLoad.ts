@@ -1,15 +1,15 @@
 /** Times or loads that a median is taken of. */
 export const RECENT = 5;
 const sorted = new Float64Array(RECENT);
-/** Loads that a mean remembers: at least and at most, and the doubt that is to be left. */
+/** Number of loads in the mean, at least and at most; and the relative error of the mean at which their number is enough. */
 const [LEAST, MOST, DOUBT] = [6, 40, 0.02];
-/** Least share by which the median of recent loads may differ from the mean before the mean begins anew. */
+/** Smallest share by which the median of recent loads may differ from the mean before the mean begins anew. */
 const JUMP = 0.12;
-/** Standard deviations of a load by which the median may differ as well: that of five has half of one. */
+/** Standard deviations of a load by which the median may differ besides `JUMP`; a median of five has half of one. */
 const JUMP_DEVIATIONS = 2.5;
 /** Standard deviation of normally distributed values, as a share of the mean difference of two of them. */
 const DEVIATION = 0.886;
-/** Largest share by which one load counts as another than the one before, and weight of one in the mean of that. */
+/** Cap on the relative difference of successive loads, and weight of one difference in their running mean. */
 const [MOST_CHANGE, CHANGE_WEIGHT] = [0.3, 1 / 24];
 /** Weight that loads keep when the scale changes: they were measured at another one. */
 const FADE = 0.8;
@@ -54,14 +54,17 @@ export class SteadyLoad {
   }
 
   /** @returns whether the mean began anew, since the load jumped */
-  add(load: number): boolean {
+  add(measured: number): boolean {
+    this.recent[this.added++ % RECENT] = measured;
+    const median = medianOfLast(this.recent, this.added, RECENT);
+    // single frames that took far longer, or were interrupted, count as much as noise does
+    const off = Math.max(JUMP, JUMP_DEVIATIONS * this.noise);
+    const load = Math.min(Math.max(measured, median / (1 + off)), median * (1 + off));
     if (this.last > 0) {
       const change = Math.min(MOST_CHANGE, Math.abs(load - this.last) / Math.max(this.mean, 1e-6));
       this.change += (change - this.change) * CHANGE_WEIGHT;
     }
     this.last = load;
-    this.recent[this.added++ % RECENT] = load;
-    const median = medianOfLast(this.recent, this.added, RECENT);
     if (this.added >= 3 && Math.abs(median / this.mean - 1) > Math.max(JUMP, JUMP_DEVIATIONS * this.noise)) {
       this.mean = median;
       this.count = 3;

@@ -2,7 +2,7 @@
 const KEY = 'farol-learnt';
 /** Version of keys and values: raise it when techniques, buckets or what they cost change, and all is learnt anew. */
 const VERSION = 2;
-/** Most entries of a GPU, and most GPUs: about 4 kB each. */
+/** Maximum number of entries of a GPU, and of GPUs: about 4 kB each. */
 const ENTRIES = 256;
 const GPUS = 4;
 

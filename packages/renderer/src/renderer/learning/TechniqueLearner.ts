@@ -33,7 +33,7 @@ export interface LearntChoice {
   readonly lights: number;
   /** Mean number of lights over a pixel. */
   readonly coverage: number;
-  /** Shadings of a pixel where one of the two techniques draws depth first, as estimated; else 1. */
+  /** Estimated shadings of a pixel; 1 unless one of the two techniques draws depth first. */
   readonly overdraw: number;
   /** Pixels of the picture. */
   readonly pixels: number;

@@ -1,3 +1,4 @@
+import { graphicsDevice } from '../../gpu/graphicsDevice';
 import { LearntChoices, type Storage } from './LearntChoices';
 import { type LearntChoice, readVerdict, TechniqueLearner } from './TechniqueLearner';
 
@@ -6,8 +7,7 @@ const learners = new Map<string, TechniqueLearner>();
 
 /** Learner of the GPU that a context draws by, with what was stored of it. */
 export function learnerOf(gl: WebGL2RenderingContext): TechniqueLearner {
-  const names = gl.getExtension('WEBGL_debug_renderer_info');
-  const gpu = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+  const gpu = graphicsDevice(gl);
   let learner = learners.get(gpu);
   if (learner === undefined)
     learners.set(gpu, (learner = new TechniqueLearner(new LearntChoices(gpu, storageOfPage()))));

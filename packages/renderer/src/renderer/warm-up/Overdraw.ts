@@ -70,7 +70,7 @@ export class Overdraw {
   }
 }
 
-/** Draws `rectangle` over the cells. @returns the cells that it shades */
+/** Draws `rectangle` into the grid of depths. @returns number of cells in which it is nearest, by area */
 function draw(): number {
   const [left, right, bottom, top, depth] = rectangle;
   let drawn = 0;

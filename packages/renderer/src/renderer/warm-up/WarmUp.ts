@@ -15,7 +15,7 @@ import {
   type WaitingPrograms,
 } from '../../three/WaitingPrograms';
 
-/** Most draws tried in one frame: some tenths of a millisecond. */
+/** Maximum number of draws tried in one frame: some tenths of a millisecond. */
 const DRAWS = 128;
 const STOP = new Error('Farol: warmed up');
 const stop = (): never => {

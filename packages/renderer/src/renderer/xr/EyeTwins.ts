@@ -5,10 +5,10 @@ import eyesFragment from './eyesFragment.glsl?raw';
 import eyesVertex from './eyesVertex.glsl?raw';
 
 const VERSION = '#version 300 es\n';
-/** Must stand before all that is no directive; three writes before what a material may change. */
+/** Directive that must stand before all other code; three puts its own lines before the part that materials may change. */
 const EXTENSION = '#extension GL_OVR_multiview2 : require\n';
 const FOG = '#include <fog_vertex>';
-// a build takes the blanks out of Farol's own chunks
+// blanks are optional: a build takes them out of Farol's own chunks
 const VIEW_DIRECTION = /normalize\( ?vViewPosition ?\)/g;
 /** Place of a pixel in the host's target, see targetPixel.glsl. */
 const PIXEL = /gl_FragCoord\.xy ?\+ ?farol_targetOrigin/g;

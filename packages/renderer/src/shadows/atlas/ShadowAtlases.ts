@@ -81,7 +81,7 @@ export class ShadowAtlases {
     this.colours.dispose();
   }
 
-  /** The texture of an atlas; null while nothing is drawn, now or before. @param draws - whether it is drawn to now */
+  /** Texture of an atlas; null while nothing was ever drawn to it. @param draws - whether this frame draws to it */
   textureOf(atlas: TextureAtlas, draws: boolean): Texture | null {
     return draws || !this.lacksTexture(atlas) ? atlas.texture : null;
   }

@@ -115,11 +115,20 @@ export class HostShadowMaps {
     farol_hostMapAtlas: { value: null } as IUniform<Texture | null>,
     farol_hostMapRegion: { value: new Vector4() },
     farol_hostMapFar: { value: 1 },
+    farol_hasMoments: { value: false },
   };
   /** Slots of the lights whose maps are watched. */
   private readonly slots = new Set<ShadowSlot>();
-  private readonly depths = this.make('depths', {});
-  private readonly moments = this.make('moments', { FAROL_MOMENTS: '' });
+  private readonly pass = new FullscreenPass({
+    program: 'host shadow map',
+    fragment: 'hostShadowMap',
+    uniforms: this.uniforms,
+    repeats: true,
+    blending: NoBlending,
+    depthTest: true,
+    depthWrite: true,
+    depthFunc: AlwaysDepth,
+  });
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -181,8 +190,7 @@ export class HostShadowMaps {
 
   dispose(): void {
     for (const slot of this.slots) this.release(slot);
-    this.depths.dispose();
-    this.moments.dispose();
+    this.pass.dispose();
   }
 
   private clear(map: RenderTarget, reversed: boolean): void {
@@ -206,23 +214,10 @@ export class HostShadowMaps {
     uniforms.farol_hostMapAtlas.value = atlas.texture;
     uniforms.farol_hostMapRegion.value.set(face.x, face.y, face.width / width, face.height / height);
     uniforms.farol_hostMapFar.value = reversed ? 0 : 1;
+    uniforms.farol_hasMoments.value = moments;
     if (!moments) comparesDepths(webgl, atlas.texture!, false);
     drawer.bind(map as WebGLRenderTarget);
-    drawer.drawPart(moments ? this.moments : this.depths, 0, 0, width, height);
+    drawer.drawPart(this.pass, 0, 0, width, height);
     if (!moments) comparesDepths(webgl, atlas.texture!, true);
-  }
-
-  private make(name: string, defines: Record<string, string>): FullscreenPass {
-    return new FullscreenPass({
-      program: `host shadow map, ${name}`,
-      fragment: 'hostShadowMap',
-      uniforms: this.uniforms,
-      defines,
-      repeats: true,
-      blending: NoBlending,
-      depthTest: true,
-      depthWrite: true,
-      depthFunc: AlwaysDepth,
-    });
   }
 }

@@ -9,6 +9,7 @@ import {
   RedFormat,
   RGFormat,
   type Texture,
+  Vector3,
   Vector4,
   type WebGLRenderer,
   WebGLRenderTarget,
@@ -28,12 +29,17 @@ export class MomentDraws {
   private readonly uniforms = {
     farol_momentSource: { value: null } as IUniform<Texture | null>,
     farol_momentRegion: { value: new Vector4() },
-    farol_momentBlur: { value: [0, 0, 0] },
+    farol_momentBlur: { value: new Vector3() },
   };
   private depths: WebGLRenderTarget | null = null;
   private halves: WebGLRenderTarget | null = null;
-  private readonly down = this.make('shadow moments down', {});
-  private readonly across = this.make('shadow moments across', { FAROL_ACROSS: '' });
+  private readonly pass = new FullscreenPass({
+    program: 'shadow moments',
+    fragment: 'shadowMoments',
+    uniforms: this.uniforms,
+    repeats: true,
+    blending: NoBlending,
+  });
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -53,25 +59,23 @@ export class MomentDraws {
     this.prepareTargets(face.width, face.height);
     webgl.setRenderTarget(this.depths);
     this.draws.drawAlone(slot, face);
-    this.uniforms.farol_momentBlur.value[0] = radius;
-    this.uniforms.farol_momentBlur.value[1] = blurSamples;
-    this.blur(this.halves!, this.depths!.depthTexture!, this.down, slot, 0, 0);
-    this.blur(atlas.target!, this.halves!.texture, this.across, slot, face.x, face.y);
+    const blur = this.uniforms.farol_momentBlur.value.set(0, radius, blurSamples);
+    this.blur(this.halves!, this.depths!.depthTexture!, slot, 0, 0);
+    blur.set(radius, 0, blurSamples);
+    this.blur(atlas.target!, this.halves!.texture, slot, face.x, face.y);
   }
 
   dispose(): void {
     this.depths?.depthTexture?.dispose();
     this.depths?.dispose();
     this.halves?.dispose();
-    this.down.dispose();
-    this.across.dispose();
+    this.pass.dispose();
     this.depths = this.halves = null;
   }
 
   private blur(
     target: WebGLRenderTarget,
     source: Texture,
-    pass: FullscreenPass,
     { placement: { faceWidth, faceHeight } }: ShadowSlot,
     x: number,
     y: number,
@@ -80,19 +84,7 @@ export class MomentDraws {
     uniforms.farol_momentSource.value = source;
     uniforms.farol_momentRegion.value.set(x, y, faceWidth, faceHeight);
     drawer.bind(target);
-    drawer.drawPart(pass, x, y, faceWidth, faceHeight);
-  }
-
-  private make(program: string, defines: Record<string, string>): FullscreenPass {
-    const { uniforms } = this;
-    return new FullscreenPass({
-      program,
-      fragment: 'shadowMoments',
-      uniforms,
-      defines,
-      repeats: true,
-      blending: NoBlending,
-    });
+    drawer.drawPart(this.pass, x, y, faceWidth, faceHeight);
   }
 
   /** Makes both targets as large as the largest map so far. */

@@ -2,14 +2,11 @@
 // three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_hostMapAtlas;
 uniform highp vec4 farol_hostMapRegion; // xy: corner (texels); zw: texels of the region for one of the map
+uniform bool farol_hasMoments; // the atlas holds mean and deviation of depths, which are copied as they are
 uniform highp float farol_hostMapFar; // depth in the host's map where there is no caster
 layout(location = 0) out highp vec4 farol_hostMap;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy * farol_hostMapRegion.zw + farol_hostMapRegion.xy);
 vec4 texel = texelFetch(farol_hostMapAtlas, at, 0);
-#ifdef FAROL_MOMENTS
-farol_hostMap = texel;
-#else
-farol_hostMap = vec4(vec3(texel.r == farol_hostMapFar ? texel.r : 1.0 - texel.r), 1.0);
+farol_hostMap = farol_hasMoments ? texel : vec4(vec3(texel.r == farol_hostMapFar ? texel.r : 1.0 - texel.r), 1.0);
 gl_FragDepth = texel.r;
-#endif

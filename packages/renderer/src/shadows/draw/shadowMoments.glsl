@@ -1,28 +1,22 @@
-// Mean and standard deviation of the depths of a shadow map, blurred down its columns, or (FAROL_ACROSS) its rows.
+// Mean and standard deviation of a shadow map's depths, blurred along its columns, then, as moments, along its rows.
 // three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
 uniform highp sampler2D farol_momentSource;
 uniform highp vec4 farol_momentRegion; // texels; xy: corner of the region that is drawn; zw: size of the map
-uniform highp vec3 farol_momentBlur; // x: blur radius (texels); y: number of samples
+uniform highp vec3 farol_momentBlur; // x, y: blur radius along rows, columns (texels); z: number of samples
 layout(location = 0) out highp vec4 farol_moments;
 //# main
 vec2 at = gl_FragCoord.xy - farol_momentRegion.xy;
 vec2 last = farol_momentRegion.zw - 0.5;
-float samples = farol_momentBlur.y;
+vec2 size = vec2(textureSize(farol_momentSource, 0));
+float samples = farol_momentBlur.z;
 float mean = 0.0;
 float squaredMean = 0.0;
 for (float i = 0.0; i < samples; i++) {
-  float offset = samples <= 1.0 ? 0.0 : (i * 2.0 / (samples - 1.0) - 1.0) * farol_momentBlur.x;
-#ifdef FAROL_ACROSS
-  vec2 texel = clamp(at + vec2(offset, 0.0), vec2(0.5), last);
-  vec2 moments = textureLod(farol_momentSource, texel / vec2(textureSize(farol_momentSource, 0)), 0.0).rg;
+  vec2 offset = samples <= 1.0 ? vec2(0.0) : (i * 2.0 / (samples - 1.0) - 1.0) * farol_momentBlur.xy;
+  // depths have no second channel: their deviation is 0
+  vec2 moments = textureLod(farol_momentSource, clamp(at + offset, vec2(0.5), last) / size, 0.0).rg;
   mean += moments.x;
-  squaredMean += moments.y * moments.y + moments.x * moments.x;
-#else
-  vec2 texel = clamp(at + vec2(0.0, offset), vec2(0.5), last);
-  float depth = texelFetch(farol_momentSource, ivec2(texel), 0).r;
-  mean += depth;
-  squaredMean += depth * depth;
-#endif
+  squaredMean += dot(moments, moments);
 }
 mean /= samples;
 squaredMean /= samples;

@@ -25,8 +25,8 @@ const REST = 2;
 const BUDGET = 12_000_000;
 
 /**
- * Least and greatest depth of each block of 8 × 8 texels of the atlas of depths, for maps at rest. A block at the edge of a map
- * also counts texels beside the map: bounds may be wider than need be, never narrower.
+ * Smallest and largest depth of each block of 8 × 8 texels of the atlas of depths, for maps at rest. A block at the edge
+ * of a map also counts texels beside the map: bounds may be wider than need be, never narrower.
  */
 export class ShadowBounds {
   readonly target: WebGLRenderTarget = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');

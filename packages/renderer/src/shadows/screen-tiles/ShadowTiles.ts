@@ -19,8 +19,8 @@ const MOST_WORDS = 16;
 const LIGHTS_PER_WORD = 32;
 
 /**
- * Which lights light all surfaces in a tile of the picture, and which none, as far as the bounds of their shadow maps tell: pixels
- * there need not sample those maps.
+ * Classification of lights by tile of the picture: those that light all surfaces in the tile, and those that light none,
+ * as far as the bounds of their shadow maps tell. Pixels of the tile need not sample the maps of either.
  */
 export class ShadowTiles {
   /** Number of the frame's maps that have bounds, see `ShadowBounds`. */

@@ -2,18 +2,18 @@ import type { PictureSize } from '../../lights/PictureSize';
 import type { ShadowSlot } from './ShadowSlot';
 
 /**
- * Most shadow-map texels for each pixel of the picture, in the maps of lights with a range: fewer would show, see
- * docs/performance.md.
+ * Maximum number of shadow-map texels for each pixel of the picture, in the maps of lights with a range: fewer would
+ * show, see docs/performance.md.
  */
 const TEXELS_PER_PIXEL = 48;
-/** Least number of pixels that the atlas is sized for, also when the picture is smaller. */
+/** Smallest number of pixels that the atlas is sized for, also when the picture is smaller. */
 const LEAST_PIXELS = 1280 * 720;
 /** Greatest side of an atlas of shadow maps (texels). */
 const LARGEST = 8192;
 /** Step in which the side of the atlas grows (texels). */
 const STEP = 256;
 
-/** Most bytes of an atlas for each pixel of the picture, with the quality 'lite'. */
+/** Maximum size in bytes of an atlas for each pixel of the picture, with the quality 'lite'. */
 const LITE_BYTES_PER_PIXEL = 10;
 
 type Asking = Pick<ShadowSlot, 'range' | 'isCube' | 'side' | 'wantedWidth' | 'wantedHeight'>;
@@ -33,7 +33,7 @@ export function atlasLimit({ width, height }: PictureSize, slots: readonly Askin
   return Math.min(LARGEST, Math.ceil(Math.max(Math.sqrt(texels), widest) / STEP) * STEP);
 }
 
-/** Most bytes of an atlas with the quality 'lite', whatever the lights ask for. */
+/** Maximum size in bytes of an atlas with the quality 'lite', whatever the lights ask for. */
 export function liteAtlasBytes({ width, height }: PictureSize): number {
   return LITE_BYTES_PER_PIXEL * Math.max(LEAST_PIXELS, width * height);
 }

@@ -4,8 +4,8 @@ import type { ShadowSlot } from './ShadowSlot';
 import { sufficientDetail } from './sufficientDetail';
 
 /**
- * Most shadow maps that a frame draws anew only because a camera needs them twice as large; maps that need more do not
- * wait.
+ * Maximum number of shadow maps that a frame draws anew only because a camera needs them twice as large; maps that need
+ * more do not wait.
  */
 const MOST_GROWN = 4;
 

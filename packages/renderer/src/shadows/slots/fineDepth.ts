@@ -1,6 +1,6 @@
 /** Number of depth values of a 16-bit shadow map. */
 const STEPS = 65536;
-/** Least number of depth steps in a bias, so that single steps do not show. */
+/** Smallest number of depth steps in a bias, so that single steps do not show. */
 const BIAS_STEPS = 16;
 
 /**

@@ -11,7 +11,7 @@ export const MATTERING_RANGE = 0.5;
  */
 const PIXELS = 0.7;
 /**
- * Least height for which maps are sized (pixels), also when the picture is smaller: shadow edges fill more of a smaller
+ * Smallest height for which maps are sized (pixels), also when the picture is smaller: shadow edges fill more of a smaller
  * one, and the small picture that `compileAsync` draws stands for a larger one.
  */
 const LEAST_HEIGHT = 720;

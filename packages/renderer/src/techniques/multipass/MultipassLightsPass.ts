@@ -33,7 +33,7 @@ const scissor = new Vector4();
 const centre = new Vector3();
 const NO_MARK = new Int32Array(1);
 const { onBeforeRender } = Object3D.prototype;
-/** Least share of the picture covered by a light with a range that is drawn with ambient light, over all objects. */
+/** Smallest share of the picture covered by a light with a range that is drawn with ambient light, over all objects. */
 const FIRST_SHARE = 0.25;
 
 /**

@@ -39,10 +39,7 @@ import { LeftOut } from './LeftOut';
 
 type Drawn = Mesh<BufferGeometry, Material | Material[]>;
 
-/**
- * A copy of a scene reduced to what glTF supports. Vertex arrays are shared with the original, everything else is
- * copied.
- */
+/** A copy of a scene reduced to what glTF supports. Vertex arrays are shared with the original, everything else is copied. */
 export class GltfScene {
   readonly three = new ThreeScene();
   readonly leftOut = new LeftOut();

@@ -5,7 +5,7 @@ import { Color, DirectionalLight, type Light as ThreeLight, Object3D, PointLight
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { ProfileLight } from './GltfProfiles';
 
-/** Least softness of a spot light's edge, since glTF allows no hard edge. */
+/** Smallest softness of a spot light's edge, since glTF allows no hard edge. */
 const THINNEST_EDGE = 1e-3;
 
 /** Falloff of a light: share of its intensity that is left at a distance (m). */

@@ -40,7 +40,7 @@ import { isCompiled, programHandle } from '../../../three/handles';
 const SETTLED = 30;
 /** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
 const MOST_TRIANGLES = 2_000_000;
-/** Most triangles sorted in a frame while casters wait to be merged, so that no frame is late. */
+/** Maximum number of triangles sorted in a frame while casters wait to be merged, so that no frame is late. */
 const BUDGET = 150_000;
 /** Number of triangles, or casters, removed from the scene below which their room in the buffers is not reclaimed. */
 const FEW_GONE = 65_536;
