@@ -12,15 +12,17 @@ export interface BenchOptions {
   /** Samples of the target: above 0 it is multisampled, in half floats. */
   readonly samples?: number;
   readonly renderer?: THREE.WebGLRendererParameters;
+  /** Whether the test loses the context: it then has a new one, so that others keep theirs. */
+  readonly losesContext?: boolean;
   readonly target?: THREE.RenderTargetOptions;
 }
 
-/** Canvases, with their contexts, that no Bench has, by the parameters of their WebGLRenderers. */
-const idle = new Map<string, HTMLCanvasElement[]>();
+/** Canvases, with their contexts, by what the contexts were asked for, in the order that they were made in. */
+const canvases = new Map<string, HTMLCanvasElement[]>();
+/** Those that a Bench has, or that were lost. */
+const taken = new Set<HTMLCanvasElement>();
 /** Benches made since the last release. */
 const made = new Set<Bench>();
-/** Contexts that Benches have made. */
-let contexts = 0;
 const undone: (() => void)[] = [];
 
 /** Undoes a test's change of the page's environment, such as methods of WebGL, when the test has ended. */
@@ -43,7 +45,6 @@ export async function loseContext(webgl: THREE.WebGLRenderer): Promise<void> {
 /** One WebGLRenderer, a float target, and Farol on it: draws a scene by stock three and by a technique. */
 export class Bench {
   readonly webgl: THREE.WebGLRenderer;
-  private readonly key: string;
   private wasLost = false;
   readonly farol: FarolRenderer;
   readonly target: THREE.WebGLRenderTarget;
@@ -52,13 +53,17 @@ export class Bench {
   constructor(
     public width: number,
     public height: number,
-    { samples = 0, renderer = {}, target = {} }: BenchOptions = {},
+    { samples = 0, renderer = {}, losesContext = false, target = {} }: BenchOptions = {},
   ) {
-    const parameters = { antialias: false, ...renderer };
-    this.key = JSON.stringify(parameters);
-    const canvas = idle.get(this.key)?.pop();
-    if (!canvas) contexts++;
+    const parameters: THREE.WebGLRendererParameters = { antialias: false, ...renderer };
+    const { antialias, depth, stencil, preserveDrawingBuffer, premultipliedAlpha, powerPreference } = parameters;
+    const key = JSON.stringify([antialias, depth, stencil, preserveDrawingBuffer, premultipliedAlpha, powerPreference]);
+    const known = canvases.get(key) ?? [];
+    // the oldest: it has drawn most shaders
+    const canvas = losesContext ? undefined : known.find((each) => !taken.has(each));
     this.webgl = new THREE.WebGLRenderer({ ...parameters, ...(canvas && { canvas }) });
+    if (!canvas) canvases.set(key, [...known, this.webgl.domElement]);
+    taken.add(this.webgl.domElement);
     made.add(this);
     this.webgl.domElement.addEventListener('webglcontextlost', () => (this.wasLost = true));
     this.webgl.setSize(width, height, false);
@@ -82,13 +87,13 @@ export class Bench {
     for (const name of Object.keys(THREE.UniformsLib))
       if (name.startsWith('LTC_')) Reflect.deleteProperty(THREE.UniformsLib, name);
     for (const bench of made) bench.free();
-    return contexts;
+    return [...canvases.values()].flat().length;
   }
 
   /** Disposes of it, and keeps its context for other Benches. */
   free(): void {
     made.delete(this);
-    const { webgl, farol, target, key } = this;
+    const { webgl, farol, target } = this;
     // three would delete objects of the context as it was
     if (this.wasLost) return;
     const context = webgl.getContext() as WebGL2RenderingContext;
@@ -99,7 +104,7 @@ export class Bench {
     for (const name of Object.keys(context)) Reflect.deleteProperty(context, name);
     webgl.resetState();
     while (context.getError() !== 0);
-    idle.set(key, [...(idle.get(key) ?? []), webgl.domElement]);
+    taken.delete(webgl.domElement);
   }
 
   /** Draws pictures of another size from now on. */
@@ -124,7 +129,7 @@ export class Bench {
     return this.draw(() => this.farol.render(scene, camera));
   }
 
-  /** Loses the context and has it restored; a test has to forgive the messages of that. */
+  /** Loses the context, as said by `losesContext`, and has it restored; a test has to forgive the messages of that. */
   loseContext(): Promise<void> {
     return loseContext(this.webgl);
   }

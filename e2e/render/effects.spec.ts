@@ -125,7 +125,7 @@ test('effects compile nothing once they have run, whatever is switched on and of
 test('every effect draws again after a lost context, as before it', async ({ benchPage: page, watch }) => {
   const apart = await page.evaluate(async () => {
     const { Bench, compareImages, edgeScene, effects, three } = window.testPage;
-    const bench = new Bench(96, 64);
+    const bench = new Bench(96, 64, { losesContext: true });
     const { scene, camera } = edgeScene(96, 64);
     const decal = new effects.Decal(new three.MeshStandardMaterial({ color: 0x00ff00 }));
     decal.position.set(0, -1.6, 3);

@@ -50,7 +50,7 @@ test('a field by textures, in several renderers and by several cameras at once, 
     };
     check('arrays', draw(field));
     check('textures', draw(written));
-    const other = new Bench(64, 48);
+    const other = new Bench(64, 48, { losesContext: true });
     check('another renderer', draw(field, other));
     field.setEmission(0, 1, 1, 1);
     (lights.children[0] as InstanceType<typeof three.PointLight>).color.setRGB(1, 1, 1);

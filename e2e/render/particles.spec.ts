@@ -7,7 +7,7 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
   // where they are, whatever the frames
   const motion = await page.evaluate(async () => {
     const { Bench, effects, oneParticle, three, readTexels } = window.testPage;
-    const bench = new Bench(16, 16);
+    const bench = new Bench(16, 16, { losesContext: true });
     const particles = new effects.Particles();
     bench.farol.effects = [particles];
     const scene = new three.Scene();

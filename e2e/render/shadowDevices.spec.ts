@@ -8,7 +8,7 @@ test('maps of a device without multiple draws in a call, and after a lost contex
   const results = await page.evaluate(async () => {
     const { Bench, compareImages, three } = window.testPage;
     const begin = () => {
-      const bench = new Bench(96, 64);
+      const bench = new Bench(96, 64, { losesContext: true });
       bench.webgl.shadowMap.enabled = true;
       const scene = new three.Scene();
       const camera = new three.PerspectiveCamera(60, 1.5, 0.1, 50);

@@ -366,7 +366,7 @@ test('maps that are asked for once are drawn once, and again where they are gone
 }) => {
   const seen = await page.evaluate(async () => {
     const { Bench, shadowScene } = window.testPage;
-    const bench = new Bench(24, 16);
+    const bench = new Bench(24, 16, { losesContext: true });
     const { webgl, farol } = bench;
     const { scene, camera, lights } = shadowScene(24, 16, { caster: 'spot', settings: { mapSize: 64 } });
     const draw = (): string => {

@@ -73,7 +73,7 @@ test('after a lost context all is drawn again as before it; one surface that doe
 }) => {
   const result = await page.evaluate(async () => {
     const { Bench, compareImages, surfaces, three } = window.testPage;
-    const bench = new Bench(64, 48);
+    const bench = new Bench(64, 48, { losesContext: true });
     const scene = new three.Scene();
     const camera = new three.PerspectiveCamera(45, 64 / 48, 0.1, 20);
     camera.position.z = 4;

@@ -4,7 +4,7 @@ import { test as base } from './test';
 export { expect } from '@playwright/test';
 
 /** Above it the page is loaded anew: a browser takes the oldest of 16 contexts away. */
-const MOST_CONTEXTS = 8;
+const MOST_CONTEXTS = 13;
 
 /**
  * As `test` of ./test, with one page for all tests of a worker. A shader is compiled once for each WebGL context, which is what

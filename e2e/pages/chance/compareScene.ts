@@ -36,8 +36,8 @@ function benchOf({ depth }: ViewFacts): Bench {
   const key = depth ?? '';
   let bench = benches.get(key);
   if (bench === undefined) {
-    const parameters = { stencil: true, ...(depth && { [`${depth}DepthBuffer`]: true }) };
-    bench = new Bench(WIDTH, HEIGHT, { renderer: parameters, target: { stencilBuffer: true } });
+    const parameters = depth && { [`${depth}DepthBuffer`]: true };
+    bench = new Bench(WIDTH, HEIGHT, { renderer: parameters ?? {}, target: { stencilBuffer: true } });
     bench.webgl.localClippingEnabled = true;
     bench.webgl.shadowMap.enabled = true;
     bench.farol.inferredScale = 1;

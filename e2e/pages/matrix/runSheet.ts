@@ -40,7 +40,7 @@ export interface SheetResult {
 let sharedBench: Bench | null = null;
 
 function makeBench(): Bench {
-  const made = new Bench(1, 1, { target: { stencilBuffer: true }, renderer: { stencil: true } });
+  const made = new Bench(1, 1, { target: { stencilBuffer: true } });
   made.webgl.localClippingEnabled = true;
   made.webgl.setClearColor(CLEAR.color, CLEAR.alpha);
   made.farol.inferredScale = 1;

@@ -39,7 +39,7 @@ export interface OpenFile {
 
 /** Stores unsaved changes, for recovery when the tab is killed. */
 export interface DraftKeeper {
-  /** Whether the scene's present state is stored in the browser. */
+  /** Whether all that is to be kept is stored in the browser; of a scene that nobody has edited, nothing is. */
   readonly isUpToDate: boolean;
   /** Offers unsaved scenes of killed tabs. @returns whether there are any */
   offerRecovery(): Promise<boolean>;

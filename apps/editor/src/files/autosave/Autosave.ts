@@ -78,10 +78,7 @@ export class Autosave implements DraftKeeper {
     this.wakeIfEdited();
   }
 
-  /**
-   * Whether all that is to be kept is stored. A scene that nobody has edited is not: what else changes it, such as a simulation,
-   * is noted, and read with the first edit.
-   */
+  /** Whether all that is to be kept is stored: what changes before the first edit, by a simulation say, is read with that. */
   get isUpToDate(): boolean {
     const isRead = this.delta.isEmpty || this.storedAt === null;
     return this.changedAt === null && !this.isReading && this.writes === 0 && isRead;
