@@ -52,9 +52,9 @@ for (const technique of ['forward', 'deferred', 'tiled-deferred', 'clustered-for
     await prepare(page, technique, 0);
     const without = await least(LOOKS, 0, look);
     expect(await prepare(page, technique, FEW)).toBe(4 + 1 + FEW);
-    const few = await least(LOOKS, without, look);
+    const few = await least(LOOKS, without, look, without + OF_A_FIELD);
     expect(await prepare(page, technique, MANY)).toBe(4 + 1 + MANY);
-    const many = await least(LOOKS, few, look);
+    const many = await least(LOOKS, few, look, few + NOISE);
     const left = await least(LOOKS, KEPT, () => kept(page, session));
     const seen =
       `${technique}: ${without.toFixed(0)} bytes a frame without a field, ${few.toFixed(0)} with ${FEW} lights, ` +

@@ -88,7 +88,8 @@ const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
  * @returns {{ static: string[], types: string[], fetched: string[] }}
  */
 function targetsOf(path, source, files) {
-  const { module, program } = parseSync(path, source);
+  const parsed = parseSync(path, source);
+  const { module } = parsed;
   const resolved = (/** @type {string} */ specifier) => {
     if (!specifier.startsWith('.')) return [];
     const target = normalize(join(dirname(path), specifier)).replace(/\/$/, '');
@@ -109,10 +110,12 @@ function targetsOf(path, source, files) {
   const fetched = module.dynamicImports.flatMap(
     ({ moduleRequest: { start, end } }) => /^['"](.*)['"]$/.exec(source.slice(start, end))?.[1] ?? [],
   );
+  const starts = new Set(module.dynamicImports.map(({ start }) => start));
+  const isAllFetched = [...source.matchAll(/\bimport\(\s*['"]\./g)].every(({ index }) => starts.has(index));
   return {
     static: named(false).flatMap(resolved),
-    // walking the tree is slow: only where there may be such a type
-    types: [...named(true), ...(/\bimport\(\s*['"]\./.test(source) ? importTypesOf(program) : [])].flatMap(resolved),
+    // making and walking the tree is slow: only where there is an import() that fetches nothing
+    types: [...named(true), ...(isAllFetched ? [] : importTypesOf(parsed.program))].flatMap(resolved),
     fetched: fetched.flatMap(resolved),
   };
 }

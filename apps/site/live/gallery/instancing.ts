@@ -10,7 +10,6 @@ import {
   ACESFilmicToneMapping,
   Color,
   ConeGeometry,
-  DoubleSide,
   Fog,
   HemisphereLight,
   InstancedMesh,
@@ -43,18 +42,14 @@ const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.7, 0);
 controls.update();
 
-const blade = new ConeGeometry(0.025, 0.8, 3, 3);
+const blade = new ConeGeometry(0.025, 0.8, 3, 2, true);
 const bend = blade.attributes.position;
 for (let i = 0; i < bend.count; i++) {
   const height = bend.getY(i) + 0.4;
   bend.setXYZ(i, bend.getX(i) + 0.35 * height * height, height, bend.getZ(i));
 }
 blade.computeVertexNormals();
-const grass = new InstancedMesh(
-  blade,
-  new MeshStandardMaterial({ color: 0x7a9a50, roughness: 0.6, side: DoubleSide }),
-  40_000,
-);
+const grass = new InstancedMesh(blade, new MeshStandardMaterial({ color: 0x7a9a50, roughness: 0.6 }), 40_000);
 const place = new Object3D();
 const tint = new Color();
 for (let i = 0; i < grass.count; i++) {

@@ -6,7 +6,7 @@
  * @tags effect, shadows, fog
  */
 import { FarolRenderer } from '@farol/renderer';
-import { FogVolume, VolumetricFog } from '@farol/renderer/volumetric-fog';
+import { FogVolume, VolumetricFog, fogQualities } from '@farol/renderer/volumetric-fog';
 import {
   ACESFilmicToneMapping,
   BoxGeometry,
@@ -32,6 +32,7 @@ const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
 const fog = new VolumetricFog();
+fog.froxels = fogQualities.low;
 Object.assign(fog, { density: 0.035, anisotropy: 0.45, height: 1, falloff: 5, distance: 60, noise: 0.6, noiseSize: 3 });
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', effects: [fog] });
 

@@ -33,7 +33,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
+const farol = new FarolRenderer(webgl, { technique: 'deferred' });
 
 const scene = new Scene();
 scene.background = new Color(0x030407);

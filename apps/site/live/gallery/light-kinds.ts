@@ -34,7 +34,7 @@ const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', lightLayers: true });
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', lightLayers: true });
 
 const scene = new Scene();
 scene.background = new Color(0x06070a);

@@ -91,7 +91,7 @@ for (let i = 0; i < 20; i++) {
   const roof = new Mesh(awning, new MeshStandardMaterial({ color: new Color().setHSL(hue, 0.6, 0.4) }));
   roof.position.set(side * 3, 2.4, z);
   roof.rotation.set(0, Math.PI / 2, side * 0.2, 'YXZ');
-  roof.castShadow = true;
+  roof.castShadow = roof.receiveShadow = true;
   scene.add(window_, roof);
   for (const dz of [-0.7, 0.7]) {
     const sign = new PointLight(new Color().setHSL(hue, 1, 0.55), 5, 4.5);
@@ -112,7 +112,7 @@ for (let i = 0; i < 12; i++) {
   const side = i % 2 ? 1 : -1;
   const pole = new Mesh(post, iron);
   pole.position.set(side * 2.6, 1.9, 5 - 6 * Math.floor(i / 2));
-  pole.castShadow = true;
+  pole.castShadow = pole.receiveShadow = true;
   const lamp = new SpotLight(0xffc27a, 75, 10, 0.95, 0.7);
   lamp.position.set(pole.position.x - side * 0.4, 3.8, pole.position.z);
   lamp.target.position.set(lamp.position.x - side * 0.5, 0, pole.position.z);
@@ -134,7 +134,7 @@ const cars = Array.from({ length: 8 }, (_, i) => {
   top.position.set(0, 0.75, 0.2);
   const low = new Mesh(body, paint);
   low.position.y = 0.4;
-  low.castShadow = top.castShadow = true;
+  for (const part of [low, top]) part.castShadow = part.receiveShadow = true;
   car.add(low, top);
   for (const x of [-0.45, 0.45]) {
     const head = new SpotLight(0xfff2dc, 45, 12, 0.35, 0.8);

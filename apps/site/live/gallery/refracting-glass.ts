@@ -11,6 +11,7 @@ import {
   CircleGeometry,
   Color,
   CylinderGeometry,
+  HemisphereLight,
   IcosahedronGeometry,
   InstancedMesh,
   Matrix4,
@@ -18,7 +19,6 @@ import {
   MeshBasicMaterial,
   MeshPhysicalMaterial,
   MeshStandardMaterial,
-  PMREMGenerator,
   PerspectiveCamera,
   PointLight,
   Scene,
@@ -26,7 +26,6 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
@@ -42,12 +41,9 @@ const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.1, 0);
 controls.update();
 
-const generator = new PMREMGenerator(webgl);
-scene.environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
-scene.environmentIntensity = 0.25;
 const floor = new Mesh(new CircleGeometry(8, 96), new MeshStandardMaterial({ color: 0x39404c, roughness: 0.3 }));
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor);
+scene.add(floor, new HemisphereLight(0xbfd4ff, 0x302820, 0.5));
 
 const glass = new MeshPhysicalMaterial({
   transmission: 1,

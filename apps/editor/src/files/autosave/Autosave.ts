@@ -78,9 +78,13 @@ export class Autosave implements DraftKeeper {
     this.wakeIfEdited();
   }
 
-  /** Whether the scene's present state is stored. */
+  /**
+   * Whether all that is to be kept is stored. A scene that nobody has edited is not: what else changes it, such as a simulation,
+   * is noted, and read with the first edit.
+   */
   get isUpToDate(): boolean {
-    return this.changedAt === null && !this.isReading && this.writes === 0 && this.delta.isEmpty;
+    const isRead = this.delta.isEmpty || this.storedAt === null;
+    return this.changedAt === null && !this.isReading && this.writes === 0 && isRead;
   }
 
   /** Unsaved sessions of tabs that were killed; null when there are none. */

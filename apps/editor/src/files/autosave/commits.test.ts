@@ -111,3 +111,19 @@ it('a commit that is answered after another scene was opened leaves no draft of 
   expect(requests.filter(({ kind }) => kind === 'delete')).toEqual([{ kind: 'delete', id: commits[0].id }]);
   expect([commits.length, autosave.isUpToDate]).toEqual([1, true]);
 });
+
+it('is up to date where a scene that nobody has edited changes by itself, and reads that with the first edit', async () => {
+  const { autosave, document, requests, commits, add } = open();
+  await settle();
+  document.scene.add(new GameObject('Spark'));
+  await settle();
+  expect([commits.length, autosave.isUpToDate]).toEqual([0, true]);
+  add();
+  await settle();
+  expect([commits.map(({ objects }) => objects), autosave.isUpToDate]).toEqual([[2], false]);
+  commits[0].accept();
+  await settle();
+  expect(autosave.isUpToDate).toBe(true);
+  const parts = requests.flatMap((request) => (request.kind === 'parts' ? request.parts : []));
+  expect(parts.some(([, json]) => json?.includes('Spark'))).toBe(true);
+});

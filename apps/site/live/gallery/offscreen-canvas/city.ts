@@ -96,6 +96,8 @@ function move(seconds: number): void {
   bulbs.instanceMatrix.needsUpdate = true;
 }
 
+// without it the first frames would be drawn by another technique
+const code = FarolRenderer.preload();
 let webgl: WebGLRenderer;
 let farol: FarolRenderer;
 
@@ -110,7 +112,7 @@ function start(canvas: OffscreenCanvas, size: Size): void {
 }
 
 function show(isShown: boolean): void {
-  webgl.setAnimationLoop(isShown ? draw : null);
+  void code.then(() => webgl.setAnimationLoop(isShown ? draw : null));
 }
 
 function draw(milliseconds: number): void {

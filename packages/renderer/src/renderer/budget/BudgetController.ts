@@ -101,6 +101,7 @@ export class BudgetController {
     const area = scale * scale;
     if (this.load.add(ms / (this.constant + area))) this.sums.fill(0);
     if (this.count >= 3) this.learn(area, ms);
+    this.restlessness.count(this.neededStep(area, ms));
     if (source === 'gpu') this.byTime();
     else this.byInterval();
   }
@@ -130,7 +131,6 @@ export class BudgetController {
     const { load } = this;
     const off = this.share(this.step) - AIM;
     const band = load.isSteady ? BAND + load.doubt : SEARCH_BAND + load.doubt / 2;
-    this.restlessness.count(off < -band);
     if (Math.abs(off) > band) {
       const goal = this.bestStep();
       // a steady load is corrected little by little
@@ -148,8 +148,7 @@ export class BudgetController {
     if (goal > step) restlessness.reduced(Math.max(0, goal - this.goal));
     else if (goal < step) {
       const begins = this.goal >= step;
-      if (!begins) goal = Math.max(goal, this.goal);
-      else goal = restlessness.mayEnlarge ? Math.max(goal, step - restlessness.stride) : step;
+      goal = begins ? Math.min(step, Math.max(goal, restlessness.leastFrom(step))) : Math.max(goal, this.goal);
       if (goal < Math.min(this.goal, step)) restlessness.enlarged(Math.min(this.goal, step) - goal);
     }
     this.goal = goal;
@@ -157,7 +156,19 @@ export class BudgetController {
 
   /** Step whose predicted time is nearest to the one aimed at. */
   private bestStep(): number {
-    const scale = Math.sqrt(Math.max((AIM * this.budget.frame) / this.load.mean - this.constant, 0));
+    return this.stepFor(this.load.mean);
+  }
+
+  /** Step that a frame needed. An interval that may be the display's does not tell: a larger scale may have done. */
+  private neededStep(area: number, ms: number): number {
+    const share = ms / this.budget.frame;
+    if (this.source === 'interval' && share > EARLY && share < LATE) return 0;
+    return this.stepFor(ms / (this.constant + area));
+  }
+
+  /** Step at which a load is in time. */
+  private stepFor(load: number): number {
+    const scale = Math.sqrt(Math.max((AIM * this.budget.frame) / load - this.constant, 0));
     return Math.min(this.steps, Math.max(0, Math.round((this.budget.max - scale) / STEP)));
   }
 
@@ -205,16 +216,15 @@ export class BudgetController {
     if (this.step === 0) this.reason = tells ? REASONS.largest : REASONS.held;
     else if (!tells) this.reason = REASONS.held;
     const hasRoom = this.step > 0 && this.share(this.step - 1) <= (tells ? 1 : MOST) - 2 * doubt;
-    this.restlessness.count(hasRoom);
-    const wait = Math.max(this.patience, tells ? 0 : this.pace);
-    if (!hasRoom || this.inTime < wait || !this.restlessness.mayEnlarge) return;
+    const pace = this.restlessness.isRestless ? PATIENCE : this.pace;
+    const wait = Math.max(this.patience, tells ? 0 : pace);
+    if (!hasRoom || this.inTime < wait || this.restlessness.leastFrom(this.step) >= this.step) return;
     this.turn(Math.max(0, this.step - (share + doubt < 1 - QUICK ? 2 : 1)));
     this.inTime = this.sinceTrial = 0;
     this.reason = tells ? REASONS.fast : REASONS.trial;
   }
 
   private goLower(steps: number): void {
-    this.restlessness.count(false);
     // a trial is to blame if its step back is enough
     this.blamed = this.sinceTrial < BLAME && !this.blamed;
     if (this.blamed) {

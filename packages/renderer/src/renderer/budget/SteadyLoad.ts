@@ -54,14 +54,17 @@ export class SteadyLoad {
   }
 
   /** @returns whether the mean began anew, since the load jumped */
-  add(load: number): boolean {
+  add(measured: number): boolean {
+    this.recent[this.added++ % RECENT] = measured;
+    const median = medianOfLast(this.recent, this.added, RECENT);
+    // single frames that took far longer, or were interrupted, count as much as noise does
+    const off = Math.max(JUMP, JUMP_DEVIATIONS * this.noise);
+    const load = Math.min(Math.max(measured, median / (1 + off)), median * (1 + off));
     if (this.last > 0) {
       const change = Math.min(MOST_CHANGE, Math.abs(load - this.last) / Math.max(this.mean, 1e-6));
       this.change += (change - this.change) * CHANGE_WEIGHT;
     }
     this.last = load;
-    this.recent[this.added++ % RECENT] = load;
-    const median = medianOfLast(this.recent, this.added, RECENT);
     if (this.added >= 3 && Math.abs(median / this.mean - 1) > Math.max(JUMP, JUMP_DEVIATIONS * this.noise)) {
       this.mean = median;
       this.count = 3;
