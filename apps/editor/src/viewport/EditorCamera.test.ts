@@ -69,6 +69,15 @@ describe('a camera whose controls are fetched late', () => {
     });
   }
 
+  it('has a whole box in a narrow view: the sphere round it lies within the narrower field of view', () => {
+    const camera = makeCamera();
+    camera.resize(200, 600);
+    camera.focus(new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)));
+    const { fov, aspect } = camera.perspective;
+    const across = Math.atan(Math.tan((fov * Math.PI) / 360) * aspect);
+    expect(camera.distance * Math.sin(across)).toBeCloseTo(1.15 * Math.sqrt(3));
+  });
+
   it('is enabled for controls that come later, unless it was switched off meanwhile', () => {
     const camera = makeCamera();
     camera.active = true;
