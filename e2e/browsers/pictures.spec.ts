@@ -10,7 +10,10 @@ interface ShownViewport {
   readonly panes: { readonly list: readonly { readonly shown: { readonly tiles: readonly object[] } | null }[] };
 }
 
-test('editor: fog, a shadow map shown, a pixel explained, a film of three frames', async ({ driven, found }) => {
+test('editor: fog, a shadow map shown, a pixel explained; in Firefox a film of three frames', async ({
+  driven,
+  found,
+}) => {
   await openEditor(driven);
   const scene = JSON.parse(movingScene(0.1));
   scene.settings.volumetricFog = true;
@@ -43,6 +46,8 @@ test('editor: fog, a shadow map shown, a pixel explained, a film of three frames
   await expect.poll(rows).toMatch(/sun.*\d %/);
   await driven.click('button', 'Close');
 
+  // WebKitGTK 2.50 ends the page's process when it is asked what it encodes: see limits.md
+  if (test.info().project.name === 'webkit') return;
   // fog takes 64 draws a frame
   await driven.evaluate(() => void Object.assign(window.editor.document.scene.settings, { volumetricFog: false }));
   await driven.click('[role="menuitem"]', 'File');

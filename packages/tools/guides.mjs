@@ -71,7 +71,7 @@ export const guides = {
     'attempts/forward': 'Attempts: forward',
     'attempts/frame': 'Attempts: the frame',
     'attempts/enlarging': 'Attempts: enlarging',
-    'attempts/frame-budget': 'Attempts: frame budget',
+    'attempts/frame-budget': 'Attempts: the frame budget',
     'attempts/shadow-lookups': 'Attempts: reading shadow maps',
     'attempts/shadow-casters': 'Attempts: casters',
     'attempts/shadow-regions': 'Attempts: regions of maps',

@@ -13,10 +13,7 @@ const LateBox = lateComponent<SelectBoxProps<string>>(
   ),
 );
 
-/**
- * A `SelectBox` for the first frame: its code is fetched afterwards, and a placeholder that looks alike is shown until
- * then.
- */
+/** A `SelectBox` for the first frame: its code is fetched afterwards, and a placeholder that looks alike is shown until then. */
 export function LateSelectBox<T extends string>(props: SelectBoxProps<T>): ReactNode {
   // lateComponent() forgets the type of the values
   return <LateBox {...(props as unknown as SelectBoxProps<string>)} />;

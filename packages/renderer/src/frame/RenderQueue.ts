@@ -1,12 +1,4 @@
-import {
-  type BufferGeometry,
-  type Camera,
-  Material,
-  type Object3D,
-  type ShaderMaterial,
-  type Sphere,
-  Vector3,
-} from 'three';
+import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, Vector3 } from 'three';
 import { isOrderSensitive, isPlainOpaque } from '../three/drawOrder';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
@@ -200,7 +192,7 @@ export class RenderQueue {
 
   /** Whether what an object's bounding sphere holds may be as far as `farthest`. True where it has none. */
   private reaches(object: Object3D, geometry: BufferGeometry): boolean {
-    const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
+    const sphere = (object as Object3D & Partial<BufferGeometry>).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
     const { matrixWorld } = object;
     const { z } = center.copy(sphere.center).applyMatrix4(matrixWorld).applyMatrix4(this.camera.matrixWorldInverse);

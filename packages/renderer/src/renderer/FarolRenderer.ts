@@ -291,7 +291,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
     if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
-    this.recorder.end(picker, frame, shadows);
+    this.recorder.end(picker.active, picker.reason, frame, shadows);
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);
     // once more: by three's lights where a shader has no place for the loop, or with shaders that the page has changed

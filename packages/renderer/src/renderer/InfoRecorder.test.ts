@@ -1,13 +1,13 @@
 import { expect, it } from 'vitest';
 import { PerspectiveCamera, PointLight, type WebGLRenderer } from 'three';
 import { LightField } from '../light-fields/LightField';
+import type { Frame } from '../frame/Frame';
 import { LightTable } from '../lighting/LightTable';
 import { fetchLightsAhead } from '../techniques/light-lists/fetchLights';
 import { InfoRecorder } from './InfoRecorder';
 import type { LastFrame } from './LastFrame';
 
 const lights = { total: 7, visible: 3, uploadedBytes: 100 } as unknown as LightTable;
-const DEFERRED = { active: 'deferred', reason: 'asked for' } as const;
 
 function makeRecorder() {
   const render = { calls: 50, triangles: 1000 };
@@ -34,7 +34,7 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
     recorder.begin(false, 0);
     draw('g-buffer', 4, 240);
     draw('lighting', 1, 1);
-    recorder.end(DEFERRED, { lights, uploadedBytes: 28, isLite: true }, null);
+    recorder.end('deferred', 'asked for', { lights, uploadedBytes: 28, isLite: true } as Frame, null);
     expect(info.passes.map(({ name, drawCalls, triangles }) => [name, drawCalls, triangles])).toEqual([
       ['g-buffer', 4, 240],
       ['lighting', 1, 1],
@@ -60,7 +60,7 @@ it('hints at LightField from 2,000 lights on that are objects of their own, and 
   const hintOf = (all: (PointLight | LightField)[]): string | null => {
     table.collect(all, camera, { shadows: 'none', layers: null });
     recorder.begin(false, 0);
-    recorder.end(DEFERRED, { lights: table, uploadedBytes: 0, isLite: false }, null);
+    recorder.end('deferred', 'asked for', { lights: table, uploadedBytes: 0, isLite: false } as Frame, null);
     return recorder.info.hint;
   };
   expect(recorder.info.hint).toBe(null);

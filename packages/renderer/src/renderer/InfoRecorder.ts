@@ -6,10 +6,8 @@ import { fetching } from '../lights/fetching';
 import { timerCode } from './lazyCode';
 import type { Frame } from '../frame/Frame';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
-import type { TechniquePicker } from './TechniquePicker';
 
-type EndedBy = Pick<TechniquePicker, 'active' | 'reason'>;
-type EndedFrame = Pick<Frame, 'lights' | 'uploadedBytes' | 'isLite'>;
+const IDLE = { drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
 
 /** Fills `FarolInfo`: counts from the WebGLRenderer, CPU time from the clock, GPU time from queries read later. */
 export class InfoRecorder {
@@ -96,15 +94,11 @@ export class InfoRecorder {
     let pass = known.get(name);
     if (pass === undefined) {
       const label = this.eye > 0 ? `${name}, eye ${this.eye + 1}` : name;
-      pass = { name: label, drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
+      pass = { name: label, ...IDLE };
       known.set(name, pass);
     }
     this.info.passes.push(pass);
-    if (isIdle) {
-      pass.cpuMs = pass.drawCalls = pass.triangles = 0;
-      pass.gpuMs = null;
-      return;
-    }
+    if (isIdle) return void Object.assign(pass, IDLE);
     this.pass = pass;
     const { render } = this.webgl.info;
     this.calls = render.calls;
@@ -127,7 +121,7 @@ export class InfoRecorder {
     this.pass = null;
   }
 
-  end({ active, reason }: EndedBy, { lights, uploadedBytes, isLite }: EndedFrame, shadows: ShadowMaps | null): void {
+  end(active: string, reason: string, { lights, uploadedBytes, isLite }: Frame, shadows: ShadowMaps | null): void {
     const { info } = this;
     info.technique = active;
     info.reason = reason;

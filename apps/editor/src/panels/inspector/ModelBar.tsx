@@ -8,10 +8,7 @@ import { ModelTree } from '../material/ModelTree';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { Button } from '../../ui/Button';
 
-/**
- * Buttons for models that are drawn as one object, such as unpacking. @param props.components - ModelRenderers,
- * memoised
- */
+/** Buttons for models that are drawn as one object, such as unpacking. @param props.components - ModelRenderers, memoised */
 export function ModelBar({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
   const { document } = editor;

@@ -82,10 +82,7 @@ function trackRow(root: GameObject | null, track: ClipTrack, folds: RowFolds): T
   };
 }
 
-/**
- * The rows of a clip: its events, then its tracks by object and component. @param root - the object that the clip
- * animates
- */
+/** The rows of a clip: its events, then its tracks by object and component. @param root - the object that the clip animates */
 export function timelineRows(root: GameObject | null, data: ClipData, folds: RowFolds): TimelineRow[] {
   const groups = new Map<string, ClipTrack[]>();
   for (const track of data.tracks) {

@@ -8,10 +8,7 @@ import type { MenuEntry } from '../../api/MenuEntry';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { useMedia } from '../../ui/useMedia';
 
-/**
- * Menus of all actions. Arrow keys go from one to the next; F10 focuses the bar. A narrow window has one button for
- * all.
- */
+/** Menus of all actions. Arrow keys go from one to the next; F10 focuses the bar. A narrow window has one button for all. */
 export function MenuBar(): ReactNode {
   const editor = useEditor();
   const isNarrow = useMedia('(max-width: 699px)');

@@ -37,10 +37,7 @@ export class ScriptLanguage {
     };
   }
 
-  /**
-   * Queries the service for the present scripts. @throws Error (as a rejection) when the worker cannot be fetched, or
-   * fails
-   */
+  /** Queries the service for the present scripts. @throws Error (as a rejection) when the worker cannot be fetched, or fails */
   async ask<Q extends keyof LanguageQuestions>(
     question: Q,
     ...values: Parameters<LanguageQuestions[Q]>

@@ -1,4 +1,4 @@
-// Mean and standard deviation of a shadow map's depths, blurred along its columns, then, as moments, along its rows.
+// Mean and standard deviation of a shadow map's depths, blurred along its columns; then, as moments, along its rows.
 // three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
 uniform highp sampler2D farol_momentSource;
 uniform highp vec4 farol_momentRegion; // texels; xy: corner of the region that is drawn; zw: size of the map
