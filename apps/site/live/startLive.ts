@@ -1,4 +1,3 @@
-import { FarolRenderer } from '@farol/renderer';
 import type { LiveModule } from './LiveModule';
 import type { Still } from './still/holdStill';
 
@@ -9,11 +8,8 @@ declare global {
   }
 }
 
-/**
- * Late code that is fetched before a module runs, so that its first frame is drawn as it stays: without it, a first frame
- * is drawn by other programs, which takes a software rasteriser seconds. Node materials and XR sessions come when asked for.
- */
-const PARTS = FarolRenderer.parts.filter((part) => part !== 'nodes' && part !== 'webxr');
+/** Modules that draw in a worker, which fetches the renderer for itself. */
+const DRAWN_IN_WORKERS = ['gallery/offscreen-canvas'];
 
 /**
  * Runs the module that the query names, or says in the page why it cannot.
@@ -33,7 +29,7 @@ export async function startLive(modules: Record<string, () => Promise<LiveModule
   try {
     const load = modules[`./${name}.ts`] ?? modules[`./${name}.tsx`];
     if (load === undefined) throw new Error(`There is no live module ${JSON.stringify(name)}.`);
-    await FarolRenderer.preload(PARTS);
+    if (!DRAWN_IN_WORKERS.includes(name)) await (await import('./preloadRenderer')).preloadRenderer();
     return await load();
   } catch (error) {
     tell(error instanceof Error ? error.message : String(error));

@@ -13,8 +13,11 @@ float mean = 0.0;
 float squaredMean = 0.0;
 for (float i = 0.0; i < samples; i++) {
   vec2 offset = samples <= 1.0 ? vec2(0.0) : (i * 2.0 / (samples - 1.0) - 1.0) * farol_momentBlur.xy;
-  // depths have no second channel: their deviation is 0
-  vec2 moments = textureLod(farol_momentSource, clamp(at + offset, vec2(0.5), last) / size, 0.0).rg;
+  vec2 texel = clamp(at + offset, vec2(0.5), last);
+  // depths are not filtered, and have no deviation
+  vec2 moments = farol_momentBlur.y > 0.0
+    ? vec2(texelFetch(farol_momentSource, ivec2(texel), 0).r, 0.0)
+    : textureLod(farol_momentSource, texel / size, 0.0).rg;
   mean += moments.x;
   squaredMean += dot(moments, moments);
 }
