@@ -12,7 +12,8 @@ import { mergedCaster, mergedCasterDepth } from './casters/merged';
 import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './masks/shadowMask.glsl?raw';
 import hostShadowMap from './draw/hostShadowMap.glsl?raw';
-import shadowMoments from './draw/shadowMoments.glsl?raw';
+import shadowMomentsAcross from './draw/shadowMomentsAcross.glsl?raw';
+import shadowMomentsDown from './draw/shadowMomentsDown.glsl?raw';
 import { tileMicroShaders } from './screen-tiles';
 import { ShadowMapCalls } from './draw/ShadowMapCalls';
 
@@ -28,7 +29,8 @@ export const microShaders = {
   mergedCaster,
   mergedCasterDepth,
   shadowMask,
-  shadowMoments,
+  shadowMomentsAcross,
+  shadowMomentsDown,
   hostShadowMap,
   ...tileMicroShaders,
 };

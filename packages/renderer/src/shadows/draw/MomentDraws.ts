@@ -9,7 +9,7 @@ import {
   RedFormat,
   RGFormat,
   type Texture,
-  Vector3,
+  Vector2,
   Vector4,
   type WebGLRenderer,
   WebGLRenderTarget,
@@ -29,17 +29,12 @@ export class MomentDraws {
   private readonly uniforms = {
     farol_momentSource: { value: null } as IUniform<Texture | null>,
     farol_momentRegion: { value: new Vector4() },
-    farol_momentBlur: { value: new Vector3() },
+    farol_momentBlur: { value: new Vector2() },
   };
   private depths: WebGLRenderTarget | null = null;
   private halves: WebGLRenderTarget | null = null;
-  private readonly pass = new FullscreenPass({
-    program: 'shadow moments',
-    fragment: 'shadowMoments',
-    uniforms: this.uniforms,
-    repeats: true,
-    blending: NoBlending,
-  });
+  private readonly down = this.make('shadow moments down', 'shadowMomentsDown');
+  private readonly across = this.make('shadow moments across', 'shadowMomentsAcross');
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -59,23 +54,24 @@ export class MomentDraws {
     this.prepareTargets(face.width, face.height);
     webgl.setRenderTarget(this.depths);
     this.draws.drawAlone(slot, face);
-    const blur = this.uniforms.farol_momentBlur.value.set(0, radius, blurSamples);
-    this.blur(this.halves!, this.depths!.depthTexture!, slot, 0, 0);
-    blur.set(radius, 0, blurSamples);
-    this.blur(atlas.target!, this.halves!.texture, slot, face.x, face.y);
+    this.uniforms.farol_momentBlur.value.set(radius, blurSamples);
+    this.blur(this.halves!, this.depths!.depthTexture!, this.down, slot, 0, 0);
+    this.blur(atlas.target!, this.halves!.texture, this.across, slot, face.x, face.y);
   }
 
   dispose(): void {
     this.depths?.depthTexture?.dispose();
     this.depths?.dispose();
     this.halves?.dispose();
-    this.pass.dispose();
+    this.down.dispose();
+    this.across.dispose();
     this.depths = this.halves = null;
   }
 
   private blur(
     target: WebGLRenderTarget,
     source: Texture,
+    pass: FullscreenPass,
     { placement: { faceWidth, faceHeight } }: ShadowSlot,
     x: number,
     y: number,
@@ -84,7 +80,12 @@ export class MomentDraws {
     uniforms.farol_momentSource.value = source;
     uniforms.farol_momentRegion.value.set(x, y, faceWidth, faceHeight);
     drawer.bind(target);
-    drawer.drawPart(this.pass, x, y, faceWidth, faceHeight);
+    drawer.drawPart(pass, x, y, faceWidth, faceHeight);
+  }
+
+  private make(program: string, fragment: string): FullscreenPass {
+    const { uniforms } = this;
+    return new FullscreenPass({ program, fragment, uniforms, repeats: true, blending: NoBlending });
   }
 
   /** Makes both targets as large as the largest map so far. */
