@@ -260,7 +260,6 @@ test('a web page has lamps, trees and the sky of the library @verify', async ({ 
 });
 
 test('a web page of a scene in fog is fogged as in the editor @verify', async ({ page, context }, info) => {
-  test.setTimeout(240_000);
   await openEditor(page, 'empty');
   await page.evaluate(() => window.editor.openSample('foggy-street'));
   // a page plays: what drives and drifts there stands in the editor

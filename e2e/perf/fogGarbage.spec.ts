@@ -12,7 +12,6 @@ interface FogWindow {
 const WARM = 1500;
 
 test('a frame with volumetric fog allocates next to nothing more, and keeps nothing @verify', async ({ page }) => {
-  test.setTimeout(240_000);
   const session = await page.context().newCDPSession(page);
   await session.send('HeapProfiler.enable');
   await page.evaluate((lights) => {

@@ -78,8 +78,7 @@ export class AtlasView implements BufferView {
       pass.draw(frame);
     }
     if (compares) comparesDepths(frame.webgl, texture, true);
-    panels.end(frame);
-    info.tiles = panels.tiles;
+    panels.end(frame, info);
     return null;
   }
 

@@ -47,8 +47,7 @@ export class FroxelView implements BufferView {
       pass.draw(frame);
     }
     panels.tiles.length = slices;
-    panels.end(frame);
-    info.tiles = panels.tiles;
+    panels.end(frame, info);
     return null;
   }
 

@@ -50,8 +50,7 @@ export class LightBufferView implements BufferView {
       uniforms.farol_sum.value = i;
       pass.draw(frame);
     }
-    panels.end(frame);
-    info.tiles = panels.tiles;
+    panels.end(frame, info);
     return null;
   }
 

@@ -2,6 +2,7 @@ import { Vector4 } from 'three';
 import type { Frame } from '../../frame/Frame';
 import type { ViewTile } from '../../frame/ViewInfo';
 import { setViewport } from '../../three/state';
+import type { ShownView } from './BufferView';
 
 /** Parts of a view, drawn one by one. Keeps its tiles from frame to frame. */
 export class Panels {
@@ -41,9 +42,10 @@ export class Panels {
     return tile;
   }
 
-  /** Sets the viewport back to the whole of it. */
-  end({ webgl, viewport }: Frame): void {
+  /** Sets the viewport back to the whole of it, and says which tiles were drawn. */
+  end({ webgl, viewport }: Frame, info: ShownView): void {
     setViewport(webgl, viewport);
+    info.tiles = this.tiles;
   }
 
   dispose(): void {
