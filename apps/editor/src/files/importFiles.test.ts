@@ -135,7 +135,7 @@ test('pictures of another ending are told as what they are', async () => {
     'a.fbx cannot be imported: its bytes are PNG, not FBX: was another file renamed?',
   ]);
   expect(await saidOf({ 'a.png': 'glTF' })).toEqual([
-    'a.png cannot be imported: its bytes are no PNG, JPEG or WebP: was another file renamed?',
+    'a.png cannot be imported: its bytes are not PNG, JPEG or WebP: was another file renamed?',
   ]);
 });
 

@@ -24,7 +24,8 @@ export const bake: Texts = {
   'Made baked:': 'Precalcular:',
   'Baked the light': 'Precalcular la luz',
   'Cleared the baked light': 'Quitar la luz precalculada',
-  'The scene plays: stop it to bake its light.': 'La escena está en marcha: hay que detenerla para precalcular su luz.',
+  'The scene is playing: stop it to bake its light.':
+    'La escena está en marcha: hay que detenerla para precalcular su luz.',
   'Nothing is static: switch on Static for what stays where it is.':
     'Nada es estático: hay que activar Estático en lo que no se mueve.',
   'No light is baked: set the mode of lights to Baked.':
@@ -33,7 +34,7 @@ export const bake: Texts = {
   Lightmaps: 'Mapas de luz',
   'How finely light is baked on surfaces.': 'Con qué detalle se calcula la luz sobre las superficies.',
   'Light probes': 'Sondas de luz',
-  'By these, baked light reaches what is not static.': 'Por ellas llega la luz precalculada a lo que no es estático.',
+  'They bring baked light to what is not static.': 'Por ellas llega la luz precalculada a lo que no es estático.',
   '{count} static object': '{count} objeto estático',
   '{count} static objects': '{count} objetos estáticos',
   '{count} baked light': '{count} luz precalculada',
@@ -90,7 +91,7 @@ export const bake: Texts = {
   Denoise: 'Quitar ruido',
   'Takes out the noise that is left.': 'Quita el ruido que queda.',
   'Stitch seams': 'Coser costuras',
-  'Light meets where a smooth surface is cut for its lightmap; else the cuts may show as lines.':
+  'Makes light agree on both sides where a smooth surface is cut for its lightmap; else the cuts may show as lines.':
     'La luz coincide donde una superficie lisa se corta para su mapa de luz; si no, los cortes pueden verse como líneas.',
   'Light probes, by which baked light reaches objects that are not static.':
     'Sondas de luz, por las que la luz precalculada llega a los objetos que no son estáticos.',

@@ -26,25 +26,25 @@ export const components: Texts = {
   Transform: 'Transformación',
   'Position, rotation and scale.': 'Posición, rotación y escala.',
   Position: 'Posición',
-  'Place relative to the parent.': 'Lugar respecto al padre.',
+  'Position relative to the parent.': 'Posición respecto al padre.',
   Rotation: 'Rotación',
-  'Turn about x, then y, then z, relative to the parent.': 'Giro en x, después en y, después en z, respecto al padre.',
-  'Factor of size along the own axes.': 'Factor de tamaño según los ejes propios.',
+  'Rotation about x, then y, then z, within the parent.': 'Giro en x, después en y, después en z, respecto al padre.',
+  'Scale along its own axes.': 'Escala según sus propios ejes.',
   'Object Renderer': 'Dibujo de objeto',
   'A mesh with a material.': 'Una malla con un material.',
   'Shape of the object.': 'Forma del objeto.',
   'Own material': 'Material propio',
   Visible: 'Visible',
-  'Whether the shape is seen; its other components work on.':
+  'Whether the shape is drawn; its other components work on.':
     'Si la forma se ve; los demás componentes siguen funcionando.',
   'Crease angle': 'Ángulo de arista',
   'For meshes without normals: faces that meet at less are smooth, at more they show an edge.':
     'En mallas sin normales: las caras que se unen con menos ángulo son suaves; con más, muestran una arista.',
   Parts: 'Partes',
-  'Nodes of the model that alone are drawn, with all below them: paths such as Arm/Hand, with semicolons between them. The whole model when empty.':
+  'Draws only these nodes of the model, with all below them: paths such as Arm/Hand, with semicolons between them. The whole model when empty.':
     'Los únicos nodos del modelo que se dibujan, con todo lo que contienen: rutas como Brazo/Mano, separadas por punto y coma. Vacío, el modelo entero.',
   'Cast shadow': 'Da sombra',
-  'Whether it throws shadows.': 'Si proyecta sombras.',
+  'Whether it casts shadows.': 'Si proyecta sombras.',
   'Receive shadow': 'Recibe sombra',
   'Whether shadows fall on it.': 'Si recibe sombras.',
   Instanced: 'Instanciado',
@@ -54,7 +54,7 @@ export const components: Texts = {
   'Its tracks and events.': 'Sus pistas y eventos.',
   'How long it is.': 'Su duración.',
   'Frames that the timeline snaps to.': 'Fotogramas a los que se ajusta la línea de tiempo.',
-  'Its text: a module whose default export is a class of components.':
+  'Text: a module that exports a component class by default.':
     'Su texto: un módulo cuya exportación por defecto es una clase de componentes.',
   "A shader of the library, in place of three's materials.":
     'Un shader de la biblioteca, en lugar de los materiales de three.',
@@ -62,7 +62,7 @@ export const components: Texts = {
   'A material of the library, such as one of an imported model.':
     'Un material de la biblioteca, por ejemplo el de un modelo importado.',
   Kind: 'Clase',
-  'Model by which the surface answers light.': 'Modelo con el que la superficie responde a la luz.',
+  'Shading model of the surface.': 'Modelo de sombreado de la superficie.',
   standard: 'estándar',
   phong: 'phong',
   lambert: 'lambert',
@@ -105,7 +105,7 @@ export const components: Texts = {
   Transparent: 'Transparente',
   'Mix with what lies behind, by the opacity.': 'Mezclarse con lo que hay detrás, según la opacidad.',
   Opacity: 'Opacidad',
-  '0 cannot be seen, 1 hides what lies behind.': '0 no se ve, 1 oculta lo que hay detrás.',
+  '0 is invisible, 1 hides what lies behind.': '0 no se ve, 1 oculta lo que hay detrás.',
   'Alpha test': 'Prueba de alfa',
   'Texels with less alpha are left out.': 'Los téxeles con menos alfa se omiten.',
   'Double sided': 'Dos caras',
@@ -165,16 +165,18 @@ export const components: Texts = {
   'l in 1 / (c + l d + q d²).': 'l en 1 / (c + l d + q d²).',
   Quadratic: 'Cuadrática',
   'q in 1 / (c + l d + q d²).': 'q en 1 / (c + l d + q d²).',
-  'Whether objects throw shadows in it.': 'Si los objetos proyectan sombras con ella.',
+  'Whether objects cast shadows in it.': 'Si los objetos proyectan sombras con ella.',
   'Shadow map size': 'Mapa de sombra',
   'Width and height of the shadow map.': 'Ancho y alto del mapa de sombras.',
   texels: 'téxeles',
   'Shadow bias': 'Sesgo sombra',
-  'Depth by which shadows are moved.': 'Profundidad que se desplazan las sombras.',
+  'Offset of depth, against stripes on lit surfaces.':
+    'Desplazamiento en profundidad, contra franjas en superficies iluminadas.',
   'Shadow normal bias': 'Sesgo normal',
-  'Distance along the normal by which shadows are moved.': 'Distancia según la normal que se desplazan las sombras.',
+  'Offset along normals, against stripes on lit surfaces.':
+    'Desplazamiento según la normal, contra franjas en superficies iluminadas.',
   'Shadow extent': 'Área de sombra',
-  'Half the width of what a directional light throws shadows in.':
+  'Half the width of the area in which a directional light casts shadows.':
     'Mitad del ancho en el que una luz direccional proyecta sombras.',
   'A view of the scene.': 'Una vista de la escena.',
   Projection: 'Proyección',
@@ -184,13 +186,13 @@ export const components: Texts = {
   'Field of view': 'Campo de visión',
   'Vertical field of view.': 'Campo de visión vertical.',
   Size: 'Tamaño',
-  'Height of what is seen.': 'Altura de lo que se ve.',
+  'Height of the view.': 'Altura de la vista.',
   'Aspect of the canvas': 'Aspecto del lienzo',
   "Take the canvas's ratio of width to height.": 'Tomar la relación de ancho a alto del lienzo.',
   Aspect: 'Aspecto',
   'Width over height.': 'Ancho entre alto.',
-  'Distance of the nearest thing that is seen.': 'Distancia de lo más cercano que se ve.',
-  'Distance of the farthest thing that is seen.': 'Distancia de lo más lejano que se ve.',
+  'Nearer things are not drawn.': 'Lo que está más cerca no se dibuja.',
+  'Farther things are not drawn.': 'Lo que está más lejos no se dibuja.',
   'A picture on whatever surface lies in a box.': 'Una imagen sobre cualquier superficie que haya en una caja.',
   'Width and height of the picture, and how deep it reaches.':
     'Ancho y alto de la imagen, y hasta qué profundidad llega.',
@@ -203,13 +205,11 @@ export const components: Texts = {
   additive: 'aditiva',
   subtractive: 'sustractiva',
   multiply: 'multiplicar',
-  'How much it does to the surface; 0 cannot be seen.': 'Cuánto actúa sobre la superficie; 0 no se ve.',
+  'How much of it is visible; 0 is nothing.': 'Cuánto se ve de ella; 0 es nada.',
   'Maximum angle': 'Ángulo máximo',
-  'Surfaces that are turned farther away from it are left out.':
-    'Se omiten las superficies más giradas respecto a ella.',
+  'Surfaces at a larger angle to it are left out.': 'Se omiten las superficies más giradas respecto a ella.',
   Order: 'Orden',
-  'Of decals in one place the highest is on top.':
-    'De las calcomanías en un lugar, la de número más alto queda encima.',
+  'Where decals overlap, the highest is on top.': 'De las calcomanías en un lugar, la de número más alto queda encima.',
   'Fog Volume': 'Volumen de niebla',
   'Fog volume': 'Volumen de niebla',
   'Fog in a box or a ball, while Volumetric fog is on.':
@@ -220,7 +220,7 @@ export const components: Texts = {
   'Added to the fog of the scene; below 0 it takes fog away, as in a room.':
     'Se suma a la niebla de la escena; por debajo de 0 quita niebla, como en una habitación.',
   Softness: 'Suavidad',
-  'How far from its edge it grows to its density.': 'A qué distancia del borde llega a su densidad.',
+  'Depth at which it has its full density.': 'A qué distancia del borde llega a su densidad.',
   'Key Controller': 'Control por teclas',
   'Motion by keys, or by a finger on the left half.': 'Movimiento con teclas, o con un dedo en la mitad izquierda.',
   Front: 'Frente',

@@ -15,7 +15,7 @@ export const surfaces: Texts = {
   Rust: 'Óxido',
   Hologram: 'Holograma',
   'No surface': 'Ninguna superficie',
-  'Drop {name} on an object with a mesh, which then looks so.':
+  'Drop {name} on an object with a mesh, which then gets it.':
     'Suelta {name} sobre un objeto con malla, que tendrá ese aspecto.',
   'Edited surface {name}': 'Superficie {name} editada',
   'Made surface {name}': 'Superficie {name} creada',
@@ -37,7 +37,7 @@ export const surfaces: Texts = {
   'Waves, rust, snow and the like for this object alone, over the effect of its material. It has values of its own.':
     'Olas, óxido, nieve y similares solo para este objeto, sobre el efecto de su material. Tiene valores propios.',
   'On material': 'En el material',
-  'The material of the model whose parts wear the surface; all of them when none is chosen.':
+  'The material of the model whose parts get the surface; all of them when none is chosen.':
     'El material del modelo cuyas partes llevan la superficie; todas si no se elige ninguno.',
   'It runs on the graphics card alone, and needs no permission. A loop without an end can stall the whole page.':
     'Solo se ejecuta en la tarjeta gráfica y no necesita permiso. Un bucle sin fin puede detener toda la página.',
@@ -49,6 +49,6 @@ export const surfaces: Texts = {
   'Values of the surface.': 'Los valores de la superficie.',
   'Surface texture': 'Textura de la superficie',
   'A texture of the surface.': 'Una textura de la superficie.',
-  'Its text: GLSL with surface() or displace(), and the uniforms that it declares.':
+  'Text: GLSL with surface() or displace(), and its uniforms.':
     'Su texto: GLSL con surface() o displace(), y los uniforms que declara.',
 };

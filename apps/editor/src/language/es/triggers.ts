@@ -27,7 +27,7 @@ export const triggers: Texts = {
   Rolloff: 'Pendiente',
   'How strongly it fades with the distance.': 'Cuánto se atenúa con la distancia.',
   'Audio Listener': 'Oyente',
-  'Where the scene is heard from; the active camera where none is there.':
+  'Where the scene is heard from; without one, the active camera.':
     'Desde dónde se oye la escena; la cámara activa, si no hay ninguno.',
   'Loudness of everything that is heard.': 'Volumen de todo lo que se oye.',
   'Event Trigger': 'Disparador',
@@ -63,7 +63,7 @@ export const triggers: Texts = {
   'What is called on it: a method of one of its components, or a field that gets the value.':
     'A qué se llama: un método de uno de sus componentes, o un campo que recibe el valor.',
   With: 'Con',
-  'What is handed over; the methods and fields that can be chosen go by it.':
+  'Type of the value that is passed; only methods and fields that take it can be chosen.':
     'Qué se entrega; de ello dependen los métodos y campos que se pueden elegir.',
   'No value': 'Ningún valor',
   Number: 'Número',
@@ -72,18 +72,18 @@ export const triggers: Texts = {
   Vector: 'Vector',
   'The event': 'El suceso',
   Value: 'Valor',
-  'The number that is handed over.': 'El número que se entrega.',
-  'What is handed over.': 'Lo que se entrega.',
-  'The text that is handed over.': 'El texto que se entrega.',
-  'The colour that is handed over.': 'El color que se entrega.',
-  'The vector that is handed over.': 'El vector que se entrega.',
-  'The object that is handed over.': 'El objeto que se entrega.',
+  'The number that is passed.': 'El número que se entrega.',
+  'The value that is passed.': 'Lo que se entrega.',
+  'The text that is passed.': 'El texto que se entrega.',
+  'The colour that is passed.': 'El color que se entrega.',
+  'The vector that is passed.': 'El vector que se entrega.',
+  'The object that is passed.': 'El objeto que se entrega.',
   Delay: 'Retraso',
   'Time from the event to the call.': 'Tiempo del suceso a la llamada.',
   'Only once': 'Solo una vez',
   'Whether only the first event counts.': 'Si solo cuenta el primer suceso.',
   'This object': 'Este objeto',
-  'Press the key; Escape leaves it': 'Pulsa la tecla; Escape la deja como está',
+  'Press the key; Escape cancels': 'Pulsa la tecla; Escape la deja como está',
   'Press the key for {label}': 'Pulsar la tecla para {label}',
   'Press…': 'Pulsa…',
   'No key': 'Ninguna tecla',
