@@ -4,6 +4,7 @@ import { axeProblems } from '../support/axeProblems';
 import { outOfReach } from '../support/outOfReach';
 import { inspectorFollows, openEditor } from './editor';
 import { test } from './sharedEditor';
+import { type Work, workMeter } from './workMeter';
 
 // wide enough for all columns
 test.use({ viewport: { width: 1440, height: 900 } });
@@ -87,62 +88,14 @@ async function scriptMeter(page: Page): Promise<Meter<number>> {
   };
 }
 
-/** Work of a step, on average: as much on every machine. */
-interface Work {
-  /** Fields of components that are read and written, and signals of components that are looked up. */
-  readonly getAuthored: number;
-  readonly set: number;
-  readonly ownerSignal: number;
-  /** Changes of the document that are told. */
-  readonly edited: number;
-  /** Elements that are made in the panel. */
-  readonly elements: number;
-}
-
-declare global {
-  interface Window {
-    /** Begins to count, then gives the counts. */
-    countWork(isBegin: boolean): Work;
-  }
-}
-
-/** Counts the work of the page but for its drafts, of which it reads more or less while it is idle. */
-async function workMeter(page: Page): Promise<Meter<Work>> {
-  await page.evaluate(() => {
-    const { document: edited } = window.editor;
-    const work = { getAuthored: 0, set: 0, ownerSignal: 0, edited: 0, elements: 0 };
-    const count = (object: object, method: keyof Work): void => {
-      let owner = object as Record<string, (...all: unknown[]) => unknown>;
-      while (!Object.hasOwn(owner, method)) owner = Object.getPrototypeOf(owner) as typeof owner;
-      const plain = owner[method];
-      owner[method] = function (...all) {
-        work[method]++;
-        return plain.apply(this, all);
-      };
-    };
-    const [light] = edited.scene.componentsOf<never>('Light');
-    count(light, 'getAuthored');
-    count(light, 'set');
-    count(edited, 'ownerSignal');
-    edited.edited.subscribe(() => work.edited++);
-    new MutationObserver((changes) => {
-      for (const node of changes.flatMap(({ addedNodes }) => [...addedNodes]))
-        if (node instanceof Element) work.elements += 1 + node.querySelectorAll('*').length;
-    }).observe(document.querySelector('.lights-grid')!, { subtree: true, childList: true });
-    const { requestIdleCallback: whenIdle } = window;
-    let held: (() => void)[] | null = null;
-    window.requestIdleCallback = (...all) => (held === null ? whenIdle(...all) : held.push(() => whenIdle(...all)));
-    window.countWork = (isBegin) => {
-      held?.forEach((release) => release());
-      held = isBegin ? [] : null;
-      return isBegin ? Object.assign(work, { getAuthored: 0, set: 0, ownerSignal: 0, edited: 0, elements: 0 }) : work;
-    };
-  });
+/** Work of a step, on average. */
+async function stepMeter(page: Page): Promise<Meter<Work>> {
+  const meter = await workMeter(page);
   return async () => {
-    await page.evaluate(() => window.countWork(true));
+    const end = await meter();
     return async ({ steps }) => {
-      const work = await page.evaluate(() => window.countWork(false));
-      return Object.fromEntries(Object.entries(work).map(([name, all]) => [name, all / steps])) as unknown as Work;
+      const work = Object.entries(await end()).map(([name, all]) => [name, (all as number) / steps]);
+      return Object.fromEntries(work) as Work;
     };
   };
 }
@@ -230,7 +183,7 @@ async function useManyLights<Figure>(
 it('10,000 lights scroll, are found, and 1,000 of them are dimmed, by the work of what is shown and what is dimmed @verify', async ({
   page,
 }) => {
-  const work = await useManyLights(page, workMeter);
+  const work = await useManyLights(page, stepMeter);
   console.log(`10,000 lights, work of a step: ${JSON.stringify(work)}`);
   const { scroll, filter, 'dim group': group, 'dim rows': rows } = work;
   for (const [name, { ownerSignal }] of Object.entries(work)) expect(ownerSignal, name).toBeLessThan(10);
