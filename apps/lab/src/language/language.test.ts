@@ -39,10 +39,8 @@ function allTexts(): string[] {
     ...['words/names.ts', 'Comparison.tsx'].flatMap((end) =>
       inFile(end).flatMap(([path, source]) => Object.values(tableOf(path, source))),
     ),
-    ...['ThesisConclusions.tsx', 'NormalsFigure.tsx'].flatMap((end) =>
-      inFile(end).flatMap(([path, source]) =>
-        propertyTexts(path, source, 'claim', 'verdict', 'figures', 'title', 'alt', 'text', 'label', 'help'),
-      ),
+    ...inFile('ThesisConclusions.tsx').flatMap(([path, source]) =>
+      propertyTexts(path, source, 'claim', 'verdict', 'figures'),
     ),
   ].filter((text) => /\p{L}{2}/u.test(text));
 }

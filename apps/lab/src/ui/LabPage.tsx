@@ -20,7 +20,6 @@ import { RunActions } from './results/RunActions';
 import { RunChoice } from './results/RunChoice';
 import { LanguageSelect } from './LanguageSelect';
 import { Learning } from './Learning';
-import { NormalsFigure } from './NormalsFigure';
 import { RunPanel } from './RunPanel';
 import { Setup } from './Setup';
 import { planned } from './support/planned';
@@ -177,7 +176,6 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
             </section>
             <Learning stage={stage} isBusy={isRunning || isStarting} />
             <ThesisConclusions />
-            <NormalsFigure isMeasuring={isRunning} />
           </div>
         </div>
       </main>

@@ -27,13 +27,6 @@ export const page: Texts = {
     'Este navegador no tiene WebGL 2: hace falta Chrome, Edge o Firefox de los últimos dos años, o Safari 17 o posterior.',
   'WebGL 2 is switched off here: switch hardware acceleration on in the browser’s settings, or update the graphics driver, then load the page again.':
     'WebGL 2 está desactivado aquí: hay que activar la aceleración por hardware en los ajustes del navegador, o actualizar el controlador gráfico, y volver a cargar la página.',
-  'Normals that a file lacks': 'Normales que le faltan a un archivo',
-  'Sponza, as it was handed round in 2015, came without normals; figure 4.3 of the thesis that Farol grew from shows what computed ones did to its arches. Here the atrium’s normals are taken off and computed again in two ways, under 50 lights, on your machine.':
-    'Sponza, tal como circulaba en 2015, venía sin normales; la figura 4.3 de la tesis de la que nació Farol muestra lo que las calculadas hicieron con sus arcos. Aquí se quitan las normales del atrio y se vuelven a calcular de dos maneras, bajo 50 luces, en tu equipo.',
-  'Not drawn yet': 'Aún sin dibujar',
-  'Drawing …': 'Dibujando …',
-  'none##of the corners': 'ninguno',
-  'less than 1%': 'menos del 1 %',
   'takes about': 'tarda unos',
   'working out how long': 'calculando cuánto falta',
   'about {time} left': 'faltan unos {time}',
@@ -298,16 +291,6 @@ export const page: Texts = {
     'El diferido dibuja con fluidez muchas luces donde forward no puede.',
   'At 15 frames per second forward reaches 50 lights in the atrium and in the temple, deferred all 500. Tiled deferred, which the thesis left for later, draws 500 lights in the temple 1.91 times as fast as deferred.':
     'A 15 fotogramas por segundo, forward llega a 50 luces en el atrio y en el templo, el diferido a las 500. El diferido por tiles, que la tesis dejó para más adelante, dibuja 500 luces en el templo 1.91 veces más rápido que el diferido.',
-  'By faces': 'Por caras',
-  'Arcade whose blocks and medallions look soft, like cushions':
-    'Arquería cuyos bloques y medallones se ven blandos, como cojines',
-  'Each point takes the mean of all triangles that meet there, so edges are shaded as if they were round: the blocks under the gallery look like cushions, and the diagonals of triangles show as stripes. The normal leans from its triangle by more than 30° at {share} of the corners.':
-    'Cada punto toma la media de todos los triángulos que se juntan en él, así que las aristas se sombrean como si fueran redondas: los bloques bajo la galería parecen cojines y las diagonales de los triángulos se ven como franjas. La normal se aparta de su triángulo más de 30° en {share} de los vértices.',
-  'By crease angle': 'Por ángulo de arista',
-  'The same arcade, whose blocks and medallions have sharp edges':
-    'La misma arquería, cuyos bloques y medallones tienen aristas vivas',
-  'Only triangles that meet at less than 30° share a normal: blocks and mouldings keep their edges, and columns and arches stay round. It leans by more at {share} of the corners.':
-    'Solo los triángulos que se juntan con menos de 30° comparten normal: bloques y molduras conservan sus aristas, y columnas y arcos siguen redondos. Se aparta más en {share} de los vértices.',
   'Scene and axis.': 'Escena y eje.',
   'Value of the case along the x axis of its chart.': 'Valor del caso en el eje x de su gráfico.',
   'Width and height in pixels.': 'Ancho y alto en píxeles.',
