@@ -28,7 +28,6 @@ import { useRun } from './support/useRun';
 import { useShownRun } from './support/useShownRun';
 import { useStage } from './support/useStage';
 import { ThemeSelect } from './ThemeSelect';
-import { ThesisConclusions } from './ThesisConclusions';
 
 const store = new RunStore();
 
@@ -175,7 +174,6 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
               />
             </section>
             <Learning stage={stage} isBusy={isRunning || isStarting} />
-            <ThesisConclusions />
           </div>
         </div>
       </main>
