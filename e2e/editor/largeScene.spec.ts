@@ -85,18 +85,18 @@ test('10,000 GameObjects are read once to be saved, and for drafts in slices of 
   const saved = await page.evaluate(() => window.work.counts.getAuthored);
   expect(saved / COUNT).toBeLessThan(46);
 
-  await page.evaluate((pace) => {
+  const earlier = await page.evaluate((pace) => {
     window.editor.document.selection.set(['object1']);
-    window.editor.autosave!.statistics.slices.length = 0;
     window.work.begin(false);
     const [now, date] = [performance.now(), Date.now()];
     const passed = (): number => window.work.counts.getAuthored / pace;
     performance.now = () => now + passed();
     Date.now = () => date + passed();
+    return window.editor.autosave!.statistics.slices.length;
   }, PACE);
   await rename(page, 'Changed');
   const parts = await partsRead(page);
-  const slices = await page.evaluate(() => window.editor.autosave!.statistics.slices);
+  const slices = await page.evaluate((first) => window.editor.autosave!.statistics.slices.slice(first), earlier);
   console.log(
     `${saved / COUNT} reads of fields an object; drafts: ${slices.length} slices, at most ${Math.max(...slices)} ms`,
   );
