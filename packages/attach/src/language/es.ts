@@ -59,7 +59,7 @@ export const es: Texts = {
   'Name in the tree.': 'Cómo lo llama el árbol.',
   Visible: 'Visible',
   'Drawn, with all that is below it.': 'Se dibuja, con todo lo que contiene.',
-  'Cast shadow': 'Da sombra',
+  'Cast shadow': 'Proyecta sombra',
   'Casts a shadow.': 'Proyecta una sombra.',
   'Receive shadow': 'Recibe sombra',
   'Shadows of others fall on it.': 'Muestra las sombras de otros.',

@@ -18,7 +18,7 @@ export const bake: Texts = {
   'Make static': 'Hacer estático',
   'Make moving': 'Hacer móvil',
   'There are {count} objects below that are otherwise. Shall they change too?':
-    'Debajo hay {count} objetos que no lo son. ¿Cambiarlos también?',
+    'Debajo hay {count} objetos que están de otro modo. ¿Cambiarlos también?',
   'Change all': 'Cambiar todos',
   'Only the selected': 'Solo los seleccionados',
   'Made baked:': 'Precalcular:',
@@ -77,16 +77,16 @@ export const bake: Texts = {
     'Ángulo que cubre la fuente, 0.5° para el sol: cuanto mayor, más suaves son sus sombras precalculadas.',
   'Lightmaps and probes that light the scene.': 'Mapas y sondas de luz que iluminan la escena.',
   'Lightmap size': 'Tamaño del mapa de luz',
-  'Width and height of a lightmap, in texels.': 'Ancho y alto de un mapa de luz, en texels.',
+  'Width and height of a lightmap, in texels.': 'Ancho y alto de un mapa de luz, en téxeles.',
   Resolution: 'Resolución',
   'Texels along a metre of surface, in as many lightmaps as that takes; 0 for as many as one lightmap has room for.':
-    'Texels por metro de superficie, en los mapas que hagan falta; 0 para los que quepan en un solo mapa.',
-  'texels/m': 'texels/m',
+    'Téxeles por metro de superficie, en los mapas que hagan falta; 0 para los que quepan en un solo mapa.',
+  'texels/m': 'téxeles/m',
   Bounces: 'Rebotes',
   'How often light is reflected before it arrives; 0 for direct light alone.':
     'Cuántas veces se refleja la luz antes de llegar; 0 para solo luz directa.',
   'Paths of light to each texel: more take longer and leave less noise.':
-    'Caminos de luz a cada texel: más tardan más y dejan menos ruido.',
+    'Caminos de luz a cada téxel: más tardan más y dejan menos ruido.',
   'Sky and environment light what is baked.': 'El cielo y el entorno iluminan lo que se precalcula.',
   Denoise: 'Quitar ruido',
   'Takes out the noise that is left.': 'Quita el ruido que queda.',

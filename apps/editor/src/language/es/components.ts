@@ -42,8 +42,8 @@ export const components: Texts = {
     'En mallas sin normales: las caras que se unen con menos ángulo son suaves; con más, muestran una arista.',
   Parts: 'Partes',
   'Draws only these nodes of the model, with all below them: paths such as Arm/Hand, with semicolons between them. The whole model when empty.':
-    'Los únicos nodos del modelo que se dibujan, con todo lo que contienen: rutas como Brazo/Mano, separadas por punto y coma. Vacío, el modelo entero.',
-  'Cast shadow': 'Da sombra',
+    'Dibuja solo estos nodos del modelo, con todo lo que contienen: rutas como Brazo/Mano, separadas por punto y coma. Vacío, el modelo entero.',
+  'Cast shadow': 'Proyecta sombra',
   'Whether it casts shadows.': 'Si proyecta sombras.',
   'Receive shadow': 'Recibe sombra',
   'Whether shadows fall on it.': 'Si recibe sombras.',
@@ -55,7 +55,7 @@ export const components: Texts = {
   'How long it is.': 'Su duración.',
   'Frames that the timeline snaps to.': 'Fotogramas a los que se ajusta la línea de tiempo.',
   'Text: a module that exports a component class by default.':
-    'Su texto: un módulo cuya exportación por defecto es una clase de componentes.',
+    'Texto: un módulo que exporta por defecto una clase de componente.',
   "A shader of the library, in place of three's materials.":
     'Un shader de la biblioteca, en lugar de los materiales de three.',
   Material: 'Material',
@@ -169,7 +169,7 @@ export const components: Texts = {
   'Shadow map size': 'Mapa de sombra',
   'Width and height of the shadow map.': 'Ancho y alto del mapa de sombras.',
   texels: 'téxeles',
-  'Shadow bias': 'Sesgo sombra',
+  'Shadow bias': 'Sesgo de sombra',
   'Offset of depth, against stripes on lit surfaces.':
     'Desplazamiento en profundidad, contra franjas en superficies iluminadas.',
   'Shadow normal bias': 'Sesgo normal',
@@ -177,7 +177,7 @@ export const components: Texts = {
     'Desplazamiento según la normal, contra franjas en superficies iluminadas.',
   'Shadow extent': 'Área de sombra',
   'Half the width of the area in which a directional light casts shadows.':
-    'Mitad del ancho en el que una luz direccional proyecta sombras.',
+    'Mitad del ancho de la zona en la que una luz direccional proyecta sombras.',
   'A view of the scene.': 'Una vista de la escena.',
   Projection: 'Proyección',
   'How depth shows.': 'Cómo se ve la profundidad.',
@@ -207,9 +207,9 @@ export const components: Texts = {
   multiply: 'multiplicar',
   'How much of it is visible; 0 is nothing.': 'Cuánto se ve de ella; 0 es nada.',
   'Maximum angle': 'Ángulo máximo',
-  'Surfaces at a larger angle to it are left out.': 'Se omiten las superficies más giradas respecto a ella.',
+  'Surfaces at a larger angle to it are left out.': 'Se omiten las superficies a un ángulo mayor.',
   Order: 'Orden',
-  'Where decals overlap, the highest is on top.': 'De las calcomanías en un lugar, la de número más alto queda encima.',
+  'Where decals overlap, the highest is on top.': 'Donde se solapan calcomanías, la de número más alto queda encima.',
   'Fog Volume': 'Volumen de niebla',
   'Fog volume': 'Volumen de niebla',
   'Fog in a box or a ball, while Volumetric fog is on.':
@@ -220,7 +220,7 @@ export const components: Texts = {
   'Added to the fog of the scene; below 0 it takes fog away, as in a room.':
     'Se suma a la niebla de la escena; por debajo de 0 quita niebla, como en una habitación.',
   Softness: 'Suavidad',
-  'Depth at which it has its full density.': 'A qué distancia del borde llega a su densidad.',
+  'Depth at which it has its full density.': 'Profundidad a la que llega a toda su densidad.',
   'Key Controller': 'Control por teclas',
   'Motion by keys, or by a finger on the left half.': 'Movimiento con teclas, o con un dedo en la mitad izquierda.',
   Front: 'Frente',

@@ -130,7 +130,7 @@ export const materials: Texts = {
     'Lo que hay más allá de los bordes inferior y superior de la textura.',
   'UV channel': 'Canal UV',
   'UV channel of the mesh; a mesh without it shows one texel.':
-    'Qué coordenadas de textura de la malla sigue; una malla sin ellas muestra un solo téxel.',
+    'Canal UV de la malla; una malla sin él muestra un solo téxel.',
   'Bump height': 'Altura del relieve',
   Bias: 'Sesgo',
   'Light strength': 'Fuerza de la luz',

@@ -93,7 +93,7 @@ export const messages: Texts = {
   'This browser keeps no drafts here since {time}: {reason} Save to a file by Ctrl+S.':
     'Este navegador no guarda borradores aquí desde las {time}: {reason} Se puede guardar en un archivo con Ctrl+S.',
   '{name} cannot be kept alone: its object was added while playing. Keep all edits.':
-    '{name} no se puede conservar: su objeto se añadió durante la reproducción. Se pueden conservar todas las ediciones.',
+    '{name} no se puede conservar sola: su objeto se añadió durante la reproducción. Se pueden conservar todas las ediciones.',
   Pasting: 'Pegando',
   'What was copied': 'Lo copiado',
   '{name} could not be pasted: {reason}': 'No se ha podido pegar {name}: {reason}',

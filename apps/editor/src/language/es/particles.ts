@@ -210,5 +210,5 @@ export const particles: Texts = {
   'One in this many particles is a light.': 'Una de cada tantas partículas es una luz.',
   'Luminous intensity of each light, times colour and opacity of its particle.':
     'Intensidad luminosa de cada una, en su color, por su opacidad.',
-  'Range of each light, times the size over life of its particle.': 'Alcance de cada una, por su tamaño en la vida.',
+  'Range of each light, times the size over life of its particle.': 'Alcance de cada luz, por el tamaño en su vida.',
 };

@@ -211,28 +211,28 @@ export const picture: Texts = {
   Bitrate: 'Tasa de bits',
   '{count} frames, {seconds} s': '{count} fotogramas, {seconds} s',
   '{count} frames, {seconds} s, about {size} MB': '{count} fotogramas, {seconds} s, unos {size} MB',
-  'The film ends before it begins: raise “To”.': 'La película acaba antes de empezar: aumente «Hasta».',
+  'The film ends before it begins: raise “To”.': 'La película acaba antes de empezar: hay que aumentar «Hasta».',
   'A ZIP holds {count} frames: choose a shorter film.':
-    'En un ZIP caben {count} fotogramas: elija una película más corta.',
+    'En un ZIP caben {count} fotogramas: hay que elegir una película más corta.',
   'The film would have more than the 4 GB of a ZIP: choose a smaller size or a shorter film.':
-    'En un ZIP caben 4 GB: elija un tamaño menor o una película más corta.',
+    'La película pasaría de los 4 GB de un ZIP: hay que elegir un tamaño menor o una película más corta.',
   'This browser does not encode video here (WebCodecs needs https and a new browser): choose PNG frames.':
-    'Este navegador no codifica vídeo aquí (WebCodecs exige https y un navegador nuevo): elija fotogramas PNG.',
+    'Este navegador no codifica vídeo aquí (WebCodecs exige https y un navegador nuevo): hay que elegir fotogramas PNG.',
   '{format} needs an even width and height, such as {width} × {height}.':
     '{format} exige anchura y altura pares, como {width} × {height}.',
   'This browser does not encode {format} at {width} × {height}: choose another format or a smaller size.':
-    'Este navegador no codifica {format} a {width} × {height}: elija otro formato o un tamaño menor.',
+    'Este navegador no codifica {format} a {width} × {height}: hay que elegir otro formato o un tamaño menor.',
   'The browser could not go on encoding {format}: choose another format.':
-    'El navegador no pudo seguir codificando {format}: elija otro formato.',
+    'El navegador no pudo seguir codificando {format}: hay que elegir otro formato.',
   'This browser makes no PNG of {width} × {height}: choose a smaller size.':
-    'Este navegador no hace PNG de {width} × {height}: elija un tamaño menor.',
+    'Este navegador no hace PNG de {width} × {height}: hay que elegir un tamaño menor.',
   'There is nothing to turn around: add an object first.':
-    'No hay nada alrededor de lo que girar: añada antes un objeto.',
+    'No hay nada alrededor de lo que girar: hay que añadir antes un objeto.',
   'A path needs two kept views: Ctrl with a number keeps one.':
-    'Guarde al menos dos vistas para un recorrido: Ctrl con un número guarda una.',
-  'The scene has no such camera any more: choose another one.': 'La escena ya no tiene esa cámara: elija otra.',
+    'Un recorrido necesita dos vistas guardadas: Ctrl con un número guarda una.',
+  'The scene has no such camera any more: choose another one.': 'La escena no tiene esa cámara: se elige otra.',
   'Another scene was opened while the film was made: make it again.':
-    'Se abrió otra escena mientras se hacía la película: hágala otra vez.',
+    'Se abrió otra escena mientras se hacía la película: hay que hacerla otra vez.',
   Film: 'Película',
   'Making the film': 'Haciendo la película',
   'Frame {frame} of {count}': 'Fotograma {frame} de {count}',
@@ -242,5 +242,5 @@ export const picture: Texts = {
   'This view is the scene’s picture: lists of files show it once the scene is saved.':
     'Esta vista es la imagen de la escena: las listas de archivos la muestran cuando se guarda.',
   'No picture could be made: show the panel Viewport and try again.':
-    'No se pudo hacer una imagen: muestre el panel Vista e inténtelo otra vez.',
+    'No se pudo hacer una imagen: hay que mostrar el panel Vista 3D y probar de nuevo.',
 };

@@ -16,7 +16,7 @@ export const surfaces: Texts = {
   Hologram: 'Holograma',
   'No surface': 'Ninguna superficie',
   'Drop {name} on an object with a mesh, which then gets it.':
-    'Suelta {name} sobre un objeto con malla, que tendrá ese aspecto.',
+    'Hay que soltar {name} sobre un objeto con malla, que lo recibe.',
   'Edited surface {name}': 'Superficie {name} editada',
   'Made surface {name}': 'Superficie {name} creada',
   'Made surface {name} for {objects}': 'Superficie {name} creada para {objects}',
@@ -29,7 +29,7 @@ export const surfaces: Texts = {
   'Show the asset': 'Mostrar el recurso',
   Uniforms: 'Uniforms',
   'None.': 'Ninguno.',
-  'Nothing. Drag it from Assets onto an object.': 'Nada. Arrástrala de Recursos a un objeto.',
+  'Nothing. Drag it from Assets onto an object.': 'Nada. Se arrastra de Recursos a un objeto.',
   'Own values of {surface}': 'Valores propios de {surface}',
   'Own values of {surface} for {objects}': 'Valores propios de {surface} para {objects}',
   'The values of the surface for this object alone; others of the material keep theirs':
@@ -50,5 +50,5 @@ export const surfaces: Texts = {
   'Surface texture': 'Textura de la superficie',
   'A texture of the surface.': 'Una textura de la superficie.',
   'Text: GLSL with surface() or displace(), and its uniforms.':
-    'Su texto: GLSL con surface() o displace(), y los uniforms que declara.',
+    'Texto: GLSL con surface() o displace(), y los uniforms que declara.',
 };

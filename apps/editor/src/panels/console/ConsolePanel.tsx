@@ -104,7 +104,7 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
         />
       )}
       {count > 1 && (
-        <span className="console-count" title={t('Said {count} times', { count })}>
+        <span className="console-count" title={t('Repeated {count} times', { count })}>
           {count}
         </span>
       )}
