@@ -146,7 +146,7 @@ test('nothing to import is told, and so is what was left out', async () => {
   end.set([0x50, 0x4b, 5, 6]);
   expect(await saidOf({ 'empty.zip': end })).toEqual(nothing);
   const [left] = await saidOf({ 'a.ply': ply, 'photo.psd': 'x', 'film.mp4': 'x' });
-  expect(left).toMatch(/^photo\.psd, film\.mp4 were left out: only \.glb/);
+  expect(left).toMatch(/^photo\.psd, film\.mp4 cannot be imported: only \.glb/);
   // unrelated files in a folder with models are ignored silently
   expect(await saidOf({ 'rock/a.ply': ply, 'rock/license.txt': 'x' })).toEqual([]);
 });

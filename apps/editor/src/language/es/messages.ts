@@ -61,8 +61,6 @@ export const messages: Texts = {
   'Reading {count} files': 'Leyendo {count} archivos',
   '{path} cannot be imported: {reason}': 'No se puede importar {path}: {reason}',
   '{names} cannot be imported: only {importable} can.': 'No se puede importar {names}: solo {importable}.',
-  '{names} were left out: only {importable} can be imported.':
-    'Se dejaron fuera {names}: solo se pueden importar {importable}.',
   '{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.':
     '{path} es una escena dentro de un ZIP: hay que descomprimir el ZIP y abrirla aparte.',
   '{scene} was opened by itself, without {names}: drop these again.':
