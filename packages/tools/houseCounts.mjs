@@ -3,14 +3,14 @@ import { dirname } from 'node:path/posix';
 /**
  * Maximum of each count that the repository may have. A limit only falls: whoever lowers a count lowers it. A feature
  * may raise `lines` by its own, which are of product code: TypeScript, GLSL, CSS and scripts of packages and apps,
- * without tests.
+ * without tests and the folders `testing/` of what tests share.
  */
 export const houseLimits = {
   riddles: 2,
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 40,
-  lines: 192_630,
+  lines: 189_960,
 };
 
 /** First words by which a docblock hides its noun. */

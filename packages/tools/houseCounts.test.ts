@@ -10,13 +10,14 @@ import {
   tinyFiles,
 } from './houseCounts.mjs';
 import { importGraph } from './importCircles.mjs';
+import { isTestCode } from './importDirection.mjs';
 import { root } from './root.mjs';
 import { filesEnding } from './sourceFiles.mjs';
 
 const read = (path: string) => readFileSync(join(root, path), 'utf8');
 const all = new Map(filesEnding('.ts', '.tsx', '.mjs', '.glsl', '.css').map((path) => [path, read(path)]));
 const product = new Map(
-  [...all].filter(([path]) => !/\.(test|spec|bench)\.\w+$|\.d\.ts$/.test(path) && !path.startsWith('e2e/')),
+  [...all].filter(([path]) => !isTestCode(path) && !path.startsWith('e2e/') && !path.endsWith('.d.ts')),
 );
 const ending = (files: ReadonlyMap<string, string>, ends: RegExp) =>
   new Map([...files].filter(([path]) => ends.test(path)));

@@ -197,7 +197,7 @@ export function importViolations(files, manifests) {
       if (why) violations.push(`${path} imports ${specifier}: ${why}`);
     }
     const { ofThree } = /** @type {{ ofThree?: RegExp }} */ (rule);
-    if (ofThree === undefined || isTest(path)) continue;
+    if (ofThree === undefined || isTestCode(path)) continue;
     for (const name of namesOfThree(path, source)) {
       if (!ofThree.test(name))
         violations.push(`${path} imports ${name} of three: ${rule.from} may import ${ofThree} only`);
@@ -216,10 +216,11 @@ export function importViolations(files, manifests) {
  * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
 function violation(path, specifier, kind, { from, may, not = [], types = [], fetches = [], tests = [] }, manifests) {
-  const forTests = isTest(path);
+  const forTests = isTestCode(path) || path.endsWith('.config.ts');
   if (specifier.startsWith('.')) {
     const target = normalize(join(dirname(path), specifier));
     const within = (/** @type {string} */ folder) => target === folder || target.startsWith(`${folder}/`);
+    if (!forTests && target.includes('/testing/')) return 'product code does not use what tests share';
     if (!forTests && not.some(within)) return `${from} does not know what plugs it in`;
     if (!forTests && kind !== 'type' && types.some(within))
       return `of ${types.join(', ')} ${from} may import types only`;
@@ -247,10 +248,8 @@ function violation(path, specifier, kind, { from, may, not = [], types = [], fet
   return declared(name, path, manifests) ? null : `its workspace does not declare ${name}`;
 }
 
-/** @param {string} path */
-function isTest(path) {
-  return /\.(test|bench)\.tsx?$|\/testing\/|(^|\/)(\w+\.config|test\w+)\.ts$/.test(path);
-}
+/** Whether a file is a test, or in a folder of what tests share. @param {string} path */
+export const isTestCode = (path) => /\.(test|bench)\.tsx?$|\/testing\//.test(path);
 
 /**
  * Names that a file imports from three, '*' for all of it.

@@ -36,6 +36,7 @@ describe('the direction of imports', () => {
   it.each([
     ['packages/renderer/src/microshaders/X.ts', "import { P } from '../forward/P';", /may import/],
     ['packages/renderer/src/X.ts', "import type { Scene } from '@farol/engine';", /may import/],
+    ['packages/engine/src/physics/X.ts', "import { box } from './testing/box';", /does not use what tests share/],
     ['packages/renderer/src/X.ts', "export * from '../../engine/src/Scene';", /may import/],
     ['packages/renderer/src/lights/X.ts', "import type { DataTable } from '../gpu/DataTable';", /may import/],
     [

@@ -59,7 +59,6 @@ export const subjects = [
   ['apps/site', []], // by the tests of the site
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
-  ['apps/lab/src/normals', ['lab/stage']],
   ['apps/lab/src/results', ['lab/keeping']],
   ['apps/lab/src/run', ['lab/keeping']],
   ['apps/lab', ['lab/journey']],

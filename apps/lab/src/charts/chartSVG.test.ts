@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { madeUpRun } from '../words/madeUpRun';
+import { madeUpRun } from '../words/testing/madeUpRun';
 import { chartFiles } from './chartFiles';
 import { chartSVG } from './chartSVG';
 import type { ChartSettings } from './ChartSpec';
@@ -7,7 +7,7 @@ import { defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { paintOf } from './chartPaint';
 import { passChart } from './passChart';
-import { sampleRun } from './sampleRuns';
+import { sampleRun } from './testing/sampleRuns';
 import { sourceOf } from './runNames';
 import type { LabRun } from '../results/LabRun';
 

@@ -1,13 +1,13 @@
 import { describe, expect, test } from 'vitest';
 import { competitorNames } from '../competitors/competitorNames';
-import { madeUpRun } from '../words/madeUpRun';
+import { madeUpRun } from '../words/testing/madeUpRun';
 import { defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { paintOf } from './chartPaint';
 import { competitorMark } from './competitorMarks';
 import { curvesOf } from './curveData';
 import { runNames } from './runNames';
-import { sampleRun } from './sampleRuns';
+import { sampleRun } from './testing/sampleRuns';
 import { linearTicks, logTicks, scaleOf, ticksWithRoom } from './scales';
 import { spreadLabels } from './spreadLabels';
 import { nearestPoint, walkPoints } from './walkPoints';

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { LabRun } from '../results/LabRun';
-import { madeUpRun } from '../words/madeUpRun';
+import { madeUpRun } from '../words/testing/madeUpRun';
 import { defaultSettings } from './ChartSpec';
 import { paintOf } from './chartPaint';
 import { ratioChart } from './ratioChart';

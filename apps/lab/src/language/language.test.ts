@@ -1,6 +1,6 @@
 import { techniques } from '@farol/renderer';
 import { sourceFiles } from '@farol/tools/sourceFiles';
-import { propertyTexts, tableOf, textsOf } from '@farol/tools/texts';
+import { tableOf, textsOf } from '@farol/tools/texts';
 import { expect, test } from 'vitest';
 import { competitorNames } from '../competitors/competitorNames';
 import { lightKinds, shadings } from '../plan/lightKinds';
@@ -38,11 +38,6 @@ function allTexts(): string[] {
     ...Object.values(exportFormats).map(({ help }) => help),
     ...['words/names.ts', 'Comparison.tsx'].flatMap((end) =>
       inFile(end).flatMap(([path, source]) => Object.values(tableOf(path, source))),
-    ),
-    ...['ThesisConclusions.tsx', 'NormalsFigure.tsx'].flatMap((end) =>
-      inFile(end).flatMap(([path, source]) =>
-        propertyTexts(path, source, 'claim', 'verdict', 'figures', 'title', 'alt', 'text', 'label', 'help'),
-      ),
     ),
   ].filter((text) => /\p{L}{2}/u.test(text));
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { compareRuns } from './compareRuns';
-import { testRun } from './testRun';
+import { testRun } from './testing/testRun';
 
 /** A run on another machine: `deferred` takes half the time, `forward` the double. */
 function elsewhere() {

@@ -4,7 +4,7 @@ import { planOf } from '../plan/planOf';
 import { presets } from '../plan/presets';
 import { csvColumns, runCSV } from './runCSV';
 import { runMarkdown } from './runMarkdown';
-import { testRow, testRun } from './testRun';
+import { testRow, testRun } from './testing/testRun';
 
 /** Reads CSV by RFC 4180, with nothing of the code that wrote it. */
 function readCSV(csv: string): string[][] {

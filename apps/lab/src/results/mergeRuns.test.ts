@@ -6,7 +6,7 @@ import type { Progress } from '../run/Progress';
 import { runPlan } from '../run/runPlan';
 import type { Stage } from '../stage/Stage';
 import { mergeRuns, remainingPlan } from './mergeRuns';
-import { testRow, testRun } from './testRun';
+import { testRow, testRun } from './testing/testRun';
 
 const whole = testRun();
 

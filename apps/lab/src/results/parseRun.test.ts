@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { LabRun } from './LabRun';
 import { LONGEST_RUN, parseRun } from './parseRun';
-import { testRun } from './testRun';
+import { testRun } from './testing/testRun';
 
 /** The run's JSON with one value in another's place. */
 function changed(path: (string | number)[], value: unknown): string {

@@ -3,7 +3,6 @@ import { type Counters, installCounters } from '@farol/tools/benchCounters';
 import { loadCompetitor } from '../competitors';
 import { smallFirstFrame } from '../competitors/smallFirstFrame';
 import { saltShaders } from '../measure/saltShaders';
-import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import { type LabCase, plainCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
 import { isSoftware } from '../words/device';
@@ -113,10 +112,6 @@ export class LabStage implements Stage {
     const { renderer, timer } = deviceLimits();
     const software = isSoftware(renderer);
     return { renderer, timer: timer && !software, software, webgpu: await webgpuName() };
-  }
-
-  async drawNormals(way: NormalsWay, size: { width: number; height: number }): Promise<NormalsPicture> {
-    return (await import('../normals/drawNormals')).drawNormals(way, size);
   }
 
   async learn(labCase: LabCase, signal: AbortSignal, onShare: (share: number) => void): Promise<void> {

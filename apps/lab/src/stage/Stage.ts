@@ -1,5 +1,4 @@
 import type { LearntChoice } from '@farol/renderer';
-import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import type { LabCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
 
@@ -61,14 +60,6 @@ export interface Stage {
   /** Verdicts that `auto` has learnt in this browser. */
   learnt?(): Promise<LearntChoice[]>;
   clearLearnt?(): Promise<void>;
-  /**
-   * Draws one of the two pictures of figure 4.3 of the thesis. Missing in older builds.
-   *
-   * @param size - of the picture (pixels)
-   *
-   * @throws Error (as a rejection) that names what the device or the browser cannot do
-   */
-  drawNormals?(way: NormalsWay, size: { readonly width: number; readonly height: number }): Promise<NormalsPicture>;
 }
 
 declare global {

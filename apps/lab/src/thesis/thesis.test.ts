@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { sampleRun } from '../charts/sampleRuns';
-import { exactly } from '../words/madeUpRun';
+import { sampleRun } from '../charts/testing/sampleRuns';
+import { exactly } from '../words/testing/madeUpRun';
 import { compareThesis } from './compareThesis';
 import { defaultSettings } from '../charts/ChartSpec';
 import { paintOf } from '../charts/chartPaint';

@@ -20,7 +20,6 @@ import { RunActions } from './results/RunActions';
 import { RunChoice } from './results/RunChoice';
 import { LanguageSelect } from './LanguageSelect';
 import { Learning } from './Learning';
-import { NormalsFigure } from './NormalsFigure';
 import { RunPanel } from './RunPanel';
 import { Setup } from './Setup';
 import { planned } from './support/planned';
@@ -29,7 +28,6 @@ import { useRun } from './support/useRun';
 import { useShownRun } from './support/useShownRun';
 import { useStage } from './support/useStage';
 import { ThemeSelect } from './ThemeSelect';
-import { ThesisConclusions } from './ThesisConclusions';
 
 const store = new RunStore();
 
@@ -176,8 +174,6 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
               />
             </section>
             <Learning stage={stage} isBusy={isRunning || isStarting} />
-            <ThesisConclusions />
-            <NormalsFigure isMeasuring={isRunning} />
           </div>
         </div>
       </main>

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { answerOf } from './answerOf';
-import { madeUpRun } from './madeUpRun';
+import { madeUpRun } from './testing/madeUpRun';
 
 test('the answer is who wins most cases, a tie being a win of each; few and many lights are told apart', () => {
   const run = madeUpRun([10, 100, 1000], {

@@ -2,10 +2,10 @@ import { describe, expect, test } from 'vitest';
 import { defaultSettings } from '../charts/ChartSpec';
 import { passTotal } from '../charts/passChart';
 import { regretChart } from '../charts/regretChart';
-import { sampleRun } from '../charts/sampleRuns';
+import { sampleRun } from '../charts/testing/sampleRuns';
 import { winnerMaps } from '../charts/winnerMap';
 import type { LabRun } from '../results/LabRun';
-import { exactly, madeUpRow, madeUpRun } from './madeUpRun';
+import { exactly, madeUpRow, madeUpRun } from './testing/madeUpRun';
 import { missingMetric } from './compareSpreads';
 import { winnersOf } from './winners';
 

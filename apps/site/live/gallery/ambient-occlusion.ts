@@ -7,61 +7,47 @@
  */
 import { FarolRenderer } from '@farol/renderer';
 import { AmbientOcclusion } from '@farol/renderer/ambient-occlusion';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  HemisphereLight,
-  InstancedMesh,
-  MathUtils,
-  Mesh,
-  MeshStandardMaterial,
-  Object3D,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.toneMappingExposure = 0.9;
 const occlusion = new AmbientOcclusion();
 const farol = new FarolRenderer(webgl, { technique: 'forward-plus', effects: [occlusion] });
 
-const scene = new Scene();
-scene.background = new Color(0x39445a);
-const camera = new PerspectiveCamera(38, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x39445a);
+const camera = new THREE.PerspectiveCamera(38, 1, 0.1, 100);
 camera.position.set(5.6, 4.6, 7);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.5, 0);
 controls.update();
 
-const clay = new MeshStandardMaterial({ color: 0xf2ece2, roughness: 0.9 });
-const ground = new Mesh(new PlaneGeometry(60, 60), clay);
+const clay = new THREE.MeshStandardMaterial({ color: 0xf2ece2, roughness: 0.9 });
+const ground = new THREE.Mesh(new THREE.PlaneGeometry(60, 60), clay);
 ground.rotation.x = -Math.PI / 2;
-scene.add(ground, new HemisphereLight(0xe2ecff, 0xcbb9a2, 1.5));
-const blocks = new InstancedMesh(new RoundedBoxGeometry(1, 1, 1, 3, 0.06), clay, 180);
-const place = new Object3D();
+scene.add(ground, new THREE.HemisphereLight(0xe2ecff, 0xcbb9a2, 1.5));
+const blocks = new THREE.InstancedMesh(new RoundedBoxGeometry(1, 1, 1, 3, 0.06), clay, 180);
+const place = new THREE.Object3D();
 for (let i = 0; i < 180; i++) {
   const ring = Math.floor(Math.sqrt(i));
   const angle = 2.4 * i;
   place.position.set(
     0.32 * ring * Math.cos(angle),
-    0.25 + 0.16 * Math.max(0, 10 - ring) * MathUtils.seededRandom(),
+    0.25 + 0.16 * Math.max(0, 10 - ring) * THREE.MathUtils.seededRandom(),
     0.32 * ring * Math.sin(angle),
   );
   place.rotation.set(0, angle, i % 5 ? 0 : 0.7);
-  place.scale.setScalar(0.35 + 0.4 * MathUtils.seededRandom());
+  place.scale.setScalar(0.35 + 0.4 * THREE.MathUtils.seededRandom());
   place.updateMatrix();
   blocks.setMatrixAt(i, place.matrix);
 }
 scene.add(blocks);
 const lamps = Array.from({ length: 8 }, (_, i) => {
-  const lamp = new PointLight(new Color().setHSL(0.05 + 0.02 * i, 0.9, 0.6), 5, 4);
+  const lamp = new THREE.PointLight(new THREE.Color().setHSL(0.05 + 0.02 * i, 0.9, 0.6), 5, 4);
   scene.add(lamp);
   return lamp;
 });

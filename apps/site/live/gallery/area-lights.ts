@@ -7,55 +7,46 @@
  */
 import { FarolRenderer } from '@farol/renderer';
 import { setLightOptions } from '@farol/renderer/light-options';
-import {
-  ACESFilmicToneMapping,
-  CircleGeometry,
-  Color,
-  CylinderGeometry,
-  IcosahedronGeometry,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  RectAreaLight,
-  Scene,
-  TorusKnotGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x040507);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x040507);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(0, 2.1, 8.2);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.2, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x30343c, roughness: 0.32 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x30343c, roughness: 0.32 }),
+);
 floor.rotation.x = -Math.PI / 2;
 floor.receiveShadow = true;
-const wall = new Mesh(new PlaneGeometry(30, 8), new MeshStandardMaterial({ color: 0xb4b6bc, roughness: 0.9 }));
+const wall = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 8),
+  new THREE.MeshStandardMaterial({ color: 0xb4b6bc, roughness: 0.9 }),
+);
 wall.position.set(0, 4, -3);
 wall.receiveShadow = true;
 scene.add(floor, wall);
 
-const clay = new MeshStandardMaterial({ color: 0xe6e0d6, roughness: 0.35 });
-const pots: Mesh[] = [];
+const clay = new THREE.MeshStandardMaterial({ color: 0xe6e0d6, roughness: 0.35 });
+const pots: THREE.Mesh[] = [];
 for (const [i, geometry] of [
-  new TorusKnotGeometry(0.5, 0.18, 160, 24),
+  new THREE.TorusKnotGeometry(0.5, 0.18, 160, 24),
   new TeapotGeometry(0.6, 14),
-  new IcosahedronGeometry(0.75, 0),
+  new THREE.IcosahedronGeometry(0.75, 0),
 ].entries()) {
-  const pot = new Mesh(geometry, clay);
+  const pot = new THREE.Mesh(geometry, clay);
   pot.position.set(2.4 * (i - 1), 0.85, 0.3);
   pot.castShadow = pot.receiveShadow = true;
   scene.add(pot);
@@ -68,16 +59,16 @@ function shine(
   intensity: number,
   shape: 'rectangle' | 'disc' | 'tube',
   size: [number, number],
-): RectAreaLight {
-  const light = new RectAreaLight(color, intensity, ...size);
+): THREE.RectAreaLight {
+  const light = new THREE.RectAreaLight(color, intensity, ...size);
   setLightOptions(light, { shape });
   const geometry =
     shape === 'tube'
-      ? new CylinderGeometry(size[1] / 2, size[1] / 2, size[0], 20).rotateZ(Math.PI / 2)
+      ? new THREE.CylinderGeometry(size[1] / 2, size[1] / 2, size[0], 20).rotateZ(Math.PI / 2)
       : shape === 'disc'
-        ? new CircleGeometry(size[0] / 2, 48).rotateY(Math.PI)
-        : new PlaneGeometry(...size).rotateY(Math.PI);
-  light.add(new Mesh(geometry, new MeshBasicMaterial({ color })));
+        ? new THREE.CircleGeometry(size[0] / 2, 48).rotateY(Math.PI)
+        : new THREE.PlaneGeometry(...size).rotateY(Math.PI);
+  light.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color })));
   scene.add(light);
   return light;
 }

@@ -6,44 +6,36 @@
  * @tags microshader, point light
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  CapsuleGeometry,
-  Color,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x050609);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x050609);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(0, 7, 7.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0, 0.6);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0xb4aea4, roughness: 0.8 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(40, 40),
+  new THREE.MeshStandardMaterial({ color: 0xb4aea4, roughness: 0.8 }),
+);
 floor.rotation.x = -Math.PI / 2;
 scene.add(floor);
-const peg = new CapsuleGeometry(0.22, 0.5, 12, 32);
+const peg = new THREE.CapsuleGeometry(0.22, 0.5, 12, 32);
 for (let i = 0; i < 35; i++) {
-  const mesh = new Mesh(peg, new MeshStandardMaterial({ color: 0xf0e8dc, roughness: 0.5 }));
+  const mesh = new THREE.Mesh(peg, new THREE.MeshStandardMaterial({ color: 0xf0e8dc, roughness: 0.5 }));
   mesh.position.set(1.6 * ((i % 7) - 3), 0.45, 1.6 * (Math.floor(i / 7) - 2));
   scene.add(mesh);
 }
 const lights = Array.from({ length: 7 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(i / 7, 0.8, 0.6), 6, 3.4);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(i / 7, 0.8, 0.6), 6, 3.4);
   scene.add(light);
   return light;
 });

@@ -6,53 +6,39 @@
  * @tags start, technique, cost
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  HemisphereLight,
-  InstancedMesh,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl);
 
-const scene = new Scene();
-scene.background = new Color(0x06070b);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x06070b);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(5, 4.4, 7.6);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.4, 0);
 controls.update();
 
 const tile = new RoundedBoxGeometry(0.9, 0.9, 0.9, 3, 0.08);
-const tiles = new InstancedMesh(
+const tiles = new THREE.InstancedMesh(
   tile,
-  new MeshStandardMaterial({ color: 0xb8b4ac, roughness: 0.4, metalness: 0.2 }),
+  new THREE.MeshStandardMaterial({ color: 0xb8b4ac, roughness: 0.4, metalness: 0.2 }),
   196,
 );
 for (let i = 0; i < 196; i++) {
   const x = (i % 14) - 6.5;
   const z = Math.floor(i / 14) - 6.5;
-  tiles.setMatrixAt(i, new Matrix4().makeTranslation(x, 0.7 * Math.sin(0.6 * x) * Math.cos(0.5 * z) - 0.5, z));
+  tiles.setMatrixAt(i, new THREE.Matrix4().makeTranslation(x, 0.7 * Math.sin(0.6 * x) * Math.cos(0.5 * z) - 0.5, z));
 }
-scene.add(tiles, new HemisphereLight(0x8fa8e0, 0x302820, 0.25));
-const bulb = new SphereGeometry(0.06, 12, 8);
+scene.add(tiles, new THREE.HemisphereLight(0x8fa8e0, 0x302820, 0.25));
+const bulb = new THREE.SphereGeometry(0.06, 12, 8);
 const lights = Array.from({ length: 400 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL((i * 0.618) % 1, 0.8, 0.6), 2.2, 2.6);
-  light.add(new Mesh(bulb, new MeshBasicMaterial({ color: light.color })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL((i * 0.618) % 1, 0.8, 0.6), 2.2, 2.6);
+  light.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: light.color })));
   scene.add(light);
   return light;
 });

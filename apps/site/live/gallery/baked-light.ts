@@ -6,61 +6,55 @@
  * @tags baking, point light
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BoxGeometry,
-  BufferGeometry,
-  Color,
-  Material,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  RectAreaLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { bakeLightmaps } from '@farol/bake';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x000000);
-const camera = new PerspectiveCamera(45, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x000000);
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
 camera.position.set(0, 1.9, 6.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.5, 0);
 controls.update();
 
-const wall = (color: number) => new MeshStandardMaterial({ color, roughness: 0.9 });
-const add = (name: string, geometry: BufferGeometry, material: Material, x: number, y: number, z: number) => {
-  const mesh = new Mesh(geometry, material);
+const wall = (color: number) => new THREE.MeshStandardMaterial({ color, roughness: 0.9 });
+const add = (
+  name: string,
+  geometry: THREE.BufferGeometry,
+  material: THREE.Material,
+  x: number,
+  y: number,
+  z: number,
+) => {
+  const mesh = new THREE.Mesh(geometry, material);
   mesh.name = name;
   mesh.position.set(x, y, z);
   scene.add(mesh);
   return mesh;
 };
-add('floor', new BoxGeometry(4, 0.1, 4), wall(0xd8d2c8), 0, -0.05, 0);
-add('ceiling', new BoxGeometry(4, 0.1, 4), wall(0xe8e4dc), 0, 3.05, 0);
-add('back', new BoxGeometry(4, 3, 0.1), wall(0xe0dcd4), 0, 1.5, -2);
-add('left', new BoxGeometry(0.1, 3, 4), wall(0xd04a3a), -2, 1.5, 0);
-add('right', new BoxGeometry(0.1, 3, 4), wall(0x3a8ad0), 2, 1.5, 0);
-add('tall', new BoxGeometry(0.9, 1.8, 0.9), wall(0xf0ece4), -0.7, 0.9, -0.7).rotation.y = 0.35;
-add('low', new BoxGeometry(0.9, 0.9, 0.9), wall(0xf0ece4), 0.75, 0.45, 0.35).rotation.y = -0.3;
-const panel = new RectAreaLight(0xfff0d8, 14, 1, 1);
+add('floor', new THREE.BoxGeometry(4, 0.1, 4), wall(0xd8d2c8), 0, -0.05, 0);
+add('ceiling', new THREE.BoxGeometry(4, 0.1, 4), wall(0xe8e4dc), 0, 3.05, 0);
+add('back', new THREE.BoxGeometry(4, 3, 0.1), wall(0xe0dcd4), 0, 1.5, -2);
+add('left', new THREE.BoxGeometry(0.1, 3, 4), wall(0xd04a3a), -2, 1.5, 0);
+add('right', new THREE.BoxGeometry(0.1, 3, 4), wall(0x3a8ad0), 2, 1.5, 0);
+add('tall', new THREE.BoxGeometry(0.9, 1.8, 0.9), wall(0xf0ece4), -0.7, 0.9, -0.7).rotation.y = 0.35;
+add('low', new THREE.BoxGeometry(0.9, 0.9, 0.9), wall(0xf0ece4), 0.75, 0.45, 0.35).rotation.y = -0.3;
+const panel = new THREE.RectAreaLight(0xfff0d8, 14, 1, 1);
 panel.position.set(0, 2.98, 0);
 panel.rotation.x = -Math.PI / 2;
-const plate = new Mesh(new PlaneGeometry(1, 1).rotateX(Math.PI / 2), new MeshBasicMaterial({ color: 0xfff0d8 }));
+const plate = new THREE.Mesh(
+  new THREE.PlaneGeometry(1, 1).rotateX(Math.PI / 2),
+  new THREE.MeshBasicMaterial({ color: 0xfff0d8 }),
+);
 plate.position.set(0, 2.97, 0);
-const lamp = new PointLight(0xffa040, 1.6, 3);
-lamp.add(new Mesh(new SphereGeometry(0.06, 24, 16), new MeshBasicMaterial({ color: 0xffc070 })));
+const lamp = new THREE.PointLight(0xffa040, 1.6, 3);
+lamp.add(new THREE.Mesh(new THREE.SphereGeometry(0.06, 24, 16), new THREE.MeshBasicMaterial({ color: 0xffc070 })));
 scene.add(panel, plate, lamp);
 
 const output = document.createElement('output');

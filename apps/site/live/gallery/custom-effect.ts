@@ -6,27 +6,7 @@
  * @tags effect, authoring, microshader
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  ConeGeometry,
-  HemisphereLight,
-  InstancedMesh,
-  MathUtils,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  NormalBlending,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  Texture,
-  Vector2,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { ImprovedNoise } from 'three/addons/math/ImprovedNoise.js';
 import {
@@ -38,13 +18,13 @@ import {
 } from '@farol/renderer/authoring';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'forward-plus' });
 
-const scene = new Scene();
-scene.background = new Color(0x0a1020);
-const camera = new PerspectiveCamera(45, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x0a1020);
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
 camera.position.set(0, 3, 11);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.2, 0);
@@ -69,7 +49,7 @@ example_color = vec4(0.12, 0.2, 0.34, depth < 1.0 ? 0.95 * thick : 0.0);
 class Mist implements FarolEffect {
   readonly name = 'mist';
   readonly bytes = 0;
-  private readonly size = new Vector2();
+  private readonly size = new THREE.Vector2();
   private readonly pass = new FullscreenPass({
     program: 'mist',
     fragment: 'exampleMist',
@@ -77,12 +57,12 @@ class Mist implements FarolEffect {
     shared: ['farol_offset'],
     uniforms: {
       ...unprojectUniforms(),
-      example_depth: { value: null as Texture | null },
-      example_toWorld: { value: new Matrix4() },
+      example_depth: { value: null as THREE.Texture | null },
+      example_toWorld: { value: new THREE.Matrix4() },
       example_size: { value: this.size },
     },
     transparent: true,
-    blending: NormalBlending,
+    blending: THREE.NormalBlending,
   });
 
   end(frame: Frame): void {
@@ -104,30 +84,30 @@ class Mist implements FarolEffect {
 farol.effects = [new Mist()];
 
 const noise = new ImprovedNoise();
-const land = new PlaneGeometry(60, 60, 160, 160).rotateX(-Math.PI / 2);
+const land = new THREE.PlaneGeometry(60, 60, 160, 160).rotateX(-Math.PI / 2);
 const places = land.attributes.position;
 const heightAt = (x: number, z: number) =>
   1.6 * noise.noise(x / 5, 0, z / 5) + 0.4 * noise.noise(x / 1.6, 4, z / 1.6) + 0.8;
 for (let i = 0; i < places.count; i++) places.setY(i, heightAt(places.getX(i), places.getZ(i)));
 land.computeVertexNormals();
 scene.add(
-  new Mesh(land, new MeshStandardMaterial({ color: 0x8a8f80, roughness: 0.9 })),
-  new HemisphereLight(0x90b0ff, 0x202830, 0.5),
+  new THREE.Mesh(land, new THREE.MeshStandardMaterial({ color: 0x8a8f80, roughness: 0.9 })),
+  new THREE.HemisphereLight(0x90b0ff, 0x202830, 0.5),
 );
-const tree = new InstancedMesh(
-  new ConeGeometry(0.35, 1.6, 9),
-  new MeshStandardMaterial({ color: 0x3f5a48, roughness: 0.9 }),
+const tree = new THREE.InstancedMesh(
+  new THREE.ConeGeometry(0.35, 1.6, 9),
+  new THREE.MeshStandardMaterial({ color: 0x3f5a48, roughness: 0.9 }),
   300,
 );
 for (let i = 0; i < 300; i++) {
-  const x = 36 * (MathUtils.seededRandom() - 0.5);
-  const z = 30 * (MathUtils.seededRandom() - 0.7);
-  tree.setMatrixAt(i, new Matrix4().makeTranslation(x, heightAt(x, z) + 0.7, z));
+  const x = 36 * (THREE.MathUtils.seededRandom() - 0.5);
+  const z = 30 * (THREE.MathUtils.seededRandom() - 0.7);
+  tree.setMatrixAt(i, new THREE.Matrix4().makeTranslation(x, heightAt(x, z) + 0.7, z));
 }
 scene.add(tree);
 const lights = Array.from({ length: 40 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(0.06 + 0.03 * (i % 3), 0.9, 0.6), 6, 4);
-  light.add(new Mesh(new SphereGeometry(0.07, 12, 8), new MeshBasicMaterial({ color: 0xffd8a0 })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL(0.06 + 0.03 * (i % 3), 0.9, 0.6), 6, 4);
+  light.add(new THREE.Mesh(new THREE.SphereGeometry(0.07, 12, 8), new THREE.MeshBasicMaterial({ color: 0xffd8a0 })));
   const x = 2.6 * ((i % 8) - 3.5) + Math.sin(7 * i);
   const z = 5 - 4 * Math.floor(i / 8) + Math.cos(5 * i);
   light.position.set(x, heightAt(x, z) + 0.8, z);

@@ -6,34 +6,18 @@
  * @tags technique, authoring, deferred, transparency
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  CircleGeometry,
-  Color,
-  DoubleSide,
-  HemisphereLight,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  TorusGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { forwardTail, GBufferPass, LightTilesPass, type Technique, TiledOutputPass } from '@farol/renderer/authoring';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl);
 
-const scene = new Scene();
-scene.background = new Color(0x05070b);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x05070b);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(6, 4, 9);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
@@ -56,30 +40,39 @@ const sharedLists: Technique = {
 };
 farol.technique = farol.addTechnique('shared-lists', sharedLists);
 
-const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x7e8088, roughness: 0.85 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(40, 40),
+  new THREE.MeshStandardMaterial({ color: 0x7e8088, roughness: 0.85 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0x90a8e0, 0x302820, 0.2));
-const arch = new TorusGeometry(1.6, 0.16, 16, 64);
+scene.add(floor, new THREE.HemisphereLight(0x90a8e0, 0x302820, 0.2));
+const arch = new THREE.TorusGeometry(1.6, 0.16, 16, 64);
 for (let i = 0; i < 14; i++) {
-  const color = new Color().setHSL(0.55 + 0.02 * i, 0.5, 0.6);
-  const mesh = new Mesh(arch, new MeshStandardMaterial({ color, roughness: 0.7 }));
+  const color = new THREE.Color().setHSL(0.55 + 0.02 * i, 0.5, 0.6);
+  const mesh = new THREE.Mesh(arch, new THREE.MeshStandardMaterial({ color, roughness: 0.7 }));
   mesh.position.set(1.6 * Math.sin(0.45 * i), 0.9, 5 - 1.3 * i);
   mesh.rotation.y = 0.5 * Math.cos(0.45 * i);
   scene.add(mesh);
 }
-const pane = new CircleGeometry(1.5, 48);
+const pane = new THREE.CircleGeometry(1.5, 48);
 for (let i = 0; i < 7; i++) {
-  const color = new Color().setHSL(0.5 + 0.06 * i, 0.6, 0.7);
-  const glass = new MeshStandardMaterial({ color, roughness: 0.2, transparent: true, opacity: 0.35, side: DoubleSide });
-  const mesh = new Mesh(pane, glass);
+  const color = new THREE.Color().setHSL(0.5 + 0.06 * i, 0.6, 0.7);
+  const glass = new THREE.MeshStandardMaterial({
+    color,
+    roughness: 0.2,
+    transparent: true,
+    opacity: 0.35,
+    side: THREE.DoubleSide,
+  });
+  const mesh = new THREE.Mesh(pane, glass);
   mesh.position.set(1.6 * Math.sin(0.9 * i), 0.9, 5 - 2.6 * i);
   mesh.rotation.y = 0.5 * Math.cos(0.9 * i);
   scene.add(mesh);
 }
-const bulb = new SphereGeometry(0.06, 16, 12);
+const bulb = new THREE.SphereGeometry(0.06, 16, 12);
 const lights = Array.from({ length: 44 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL((0.02 * i + 0.9) % 1, 0.9, 0.6), 4, 3.6);
-  light.add(new Mesh(bulb, new MeshBasicMaterial({ color: light.color })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL((0.02 * i + 0.9) % 1, 0.9, 0.6), 4, 3.6);
+  light.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: light.color })));
   scene.add(light);
   return light;
 });

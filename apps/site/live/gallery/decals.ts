@@ -7,67 +7,59 @@
  */
 import { FarolRenderer } from '@farol/renderer';
 import { Decal, Decals } from '@farol/renderer/decals';
-import {
-  ACESFilmicToneMapping,
-  BoxGeometry,
-  CanvasTexture,
-  Color,
-  HemisphereLight,
-  MathUtils,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  SRGBColorSpace,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'deferred', effects: [new Decals()] });
 
-const scene = new Scene();
-scene.background = new Color(0x07080b);
-const camera = new PerspectiveCamera(45, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x07080b);
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
 camera.position.set(2.2, 1.9, 3.9);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.9, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x77726a, roughness: 0.9 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x77726a, roughness: 0.9 }),
+);
 floor.rotation.x = -Math.PI / 2;
-const pot = new Mesh(new SphereGeometry(1, 64, 48), new MeshStandardMaterial({ color: 0xe8ddcc, roughness: 0.6 }));
+const pot = new THREE.Mesh(
+  new THREE.SphereGeometry(1, 64, 48),
+  new THREE.MeshStandardMaterial({ color: 0xe8ddcc, roughness: 0.6 }),
+);
 pot.position.y = 1;
-const slab = new Mesh(new BoxGeometry(1.4, 2.4, 0.5), new MeshStandardMaterial({ color: 0xb9c2c4, roughness: 0.7 }));
+const slab = new THREE.Mesh(
+  new THREE.BoxGeometry(1.4, 2.4, 0.5),
+  new THREE.MeshStandardMaterial({ color: 0xb9c2c4, roughness: 0.7 }),
+);
 slab.position.set(-2.2, 1.2, -0.8);
 slab.rotation.y = 0.4;
-scene.add(floor, pot, slab, new HemisphereLight(0xa0b0e0, 0x403830, 0.35));
+scene.add(floor, pot, slab, new THREE.HemisphereLight(0xa0b0e0, 0x403830, 0.35));
 
 /** A splash of paint: colour with an alpha of its own. */
-function splash(hue: number): CanvasTexture {
+function splash(hue: number): THREE.CanvasTexture {
   const picture = document.createElement('canvas');
   picture.width = picture.height = 256;
   const context = picture.getContext('2d')!;
   context.fillStyle = `hsl(${hue} 90% 52%)`;
   for (let i = 0; i < 46; i++) {
-    const angle = 6.3 * MathUtils.seededRandom();
-    const far = 100 * MathUtils.seededRandom() ** 1.4;
+    const angle = 6.3 * THREE.MathUtils.seededRandom();
+    const far = 100 * THREE.MathUtils.seededRandom() ** 1.4;
     context.beginPath();
     context.arc(128 + far * Math.cos(angle), 128 + far * Math.sin(angle), 30 - 0.26 * far, 0, 7);
     context.fill();
   }
-  const texture = new CanvasTexture(picture);
-  texture.colorSpace = SRGBColorSpace;
+  const texture = new THREE.CanvasTexture(picture);
+  texture.colorSpace = THREE.SRGBColorSpace;
   return texture;
 }
 const paints = [4, 38, 165, 205, 285, 330].map(
-  (hue) => new MeshStandardMaterial({ map: splash(hue), roughness: 0.12, transparent: true }),
+  (hue) => new THREE.MeshStandardMaterial({ map: splash(hue), roughness: 0.12, transparent: true }),
 );
 for (let i = 0; i < 40; i++) {
   const decal = new Decal(paints[i % paints.length]);
@@ -86,10 +78,10 @@ for (let i = 0; i < 40; i++) {
   decal.rotateZ(i);
   scene.add(decal);
 }
-const bulb = new SphereGeometry(0.05, 16, 12);
+const bulb = new THREE.SphereGeometry(0.05, 16, 12);
 const lamps = Array.from({ length: 10 }, () => {
-  const lamp = new PointLight(0xffe2c0, 5.5, 6);
-  lamp.add(new Mesh(bulb, new MeshBasicMaterial({ color: 0xffeed8 })));
+  const lamp = new THREE.PointLight(0xffe2c0, 5.5, 6);
+  lamp.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: 0xffeed8 })));
   scene.add(lamp);
   return lamp;
 });

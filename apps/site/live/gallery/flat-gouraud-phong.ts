@@ -6,53 +6,42 @@
  * @tags materials, start
  */
 import { FarolRenderer, setShading } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  HemisphereLight,
-  Mesh,
-  MeshBasicMaterial,
-  MeshPhongMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x07080c);
-const camera = new PerspectiveCamera(36, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x07080c);
+const camera = new THREE.PerspectiveCamera(36, 1, 0.1, 100);
 camera.position.set(0, 1.4, 7);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.75, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x4c505a, roughness: 0.5 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x4c505a, roughness: 0.5 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0x8fa8d8, 0x302820, 0.25));
+scene.add(floor, new THREE.HemisphereLight(0x8fa8d8, 0x302820, 0.25));
 const pot = new TeapotGeometry(0.72, 4);
 const pots = (['flat', 'gouraud', 'phong'] as const).map((shading, i) => {
-  const material = new MeshPhongMaterial({ color: 0xd98b5a, shininess: 60, specular: 0x888888 });
+  const material = new THREE.MeshPhongMaterial({ color: 0xd98b5a, shininess: 60, specular: 0x888888 });
   setShading(material, shading);
-  const mesh = new Mesh(pot, material);
+  const mesh = new THREE.Mesh(pot, material);
   mesh.position.set(2.35 * (i - 1), 0.75, 0);
   scene.add(mesh);
   return mesh;
 });
-const bulb = new SphereGeometry(0.05, 16, 12);
+const bulb = new THREE.SphereGeometry(0.05, 16, 12);
 const lights = Array.from({ length: 12 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL((i * 0.13) % 1, 0.5, 0.7), 4, 5);
-  light.add(new Mesh(bulb, new MeshBasicMaterial({ color: light.color })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL((i * 0.13) % 1, 0.5, 0.7), 4, 5);
+  light.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: light.color })));
   scene.add(light);
   return light;
 });

@@ -6,45 +6,34 @@
  * @tags cost, anti-aliasing, many lights
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  HemisphereLight,
-  InstancedMesh,
-  Mesh,
-  MeshStandardMaterial,
-  Object3D,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  TorusKnotGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: false });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: false });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'tiled-deferred', budget: { frame: 16.7, min: 0.5, max: 1 } });
 
-const scene = new Scene();
-scene.background = new Color(0x07090f);
-const camera = new PerspectiveCamera(45, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x07090f);
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
 camera.position.set(5, 3.4, 8);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(50, 50), new MeshStandardMaterial({ color: 0x6f747e, roughness: 0.5 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(50, 50),
+  new THREE.MeshStandardMaterial({ color: 0x6f747e, roughness: 0.5 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0x90a8e0, 0x302820, 0.2));
-const knots = new InstancedMesh(
-  new TorusKnotGeometry(0.5, 0.17, 128, 20),
-  new MeshStandardMaterial({ color: 0xd8cfc0, roughness: 0.3, metalness: 0.5 }),
+scene.add(floor, new THREE.HemisphereLight(0x90a8e0, 0x302820, 0.2));
+const knots = new THREE.InstancedMesh(
+  new THREE.TorusKnotGeometry(0.5, 0.17, 128, 20),
+  new THREE.MeshStandardMaterial({ color: 0xd8cfc0, roughness: 0.3, metalness: 0.5 }),
   49,
 );
-const place = new Object3D();
+const place = new THREE.Object3D();
 for (let i = 0; i < 49; i++) {
   place.position.set(2 * ((i % 7) - 3), 0.85, 2 * (Math.floor(i / 7) - 3));
   place.rotation.set(i, 2 * i, 3 * i);
@@ -53,7 +42,7 @@ for (let i = 0; i < 49; i++) {
 }
 scene.add(knots);
 const lights = Array.from({ length: 300 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL((i * 0.618) % 1, 0.8, 0.6), 0.8, 2.6);
+  const light = new THREE.PointLight(new THREE.Color().setHSL((i * 0.618) % 1, 0.8, 0.6), 0.8, 2.6);
   scene.add(light);
   return light;
 });

@@ -6,80 +6,64 @@
  * @tags views, deferred, technique
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  CapsuleGeometry,
-  Color,
-  DataTexture,
-  HemisphereLight,
-  IcosahedronGeometry,
-  Mesh,
-  MeshStandardMaterial,
-  OctahedronGeometry,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  RepeatWrapping,
-  SRGBColorSpace,
-  Scene,
-  SphereGeometry,
-  TorusKnotGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { type View, views } from '@farol/renderer';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'tiled-deferred', view: 'grid' });
 
-const scene = new Scene();
-scene.background = new Color(0x080a10);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x080a10);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(4.6, 3, 6.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.9, 0);
 controls.update();
 
-const checks = new DataTexture(
+const checks = new THREE.DataTexture(
   new Uint8Array([214, 202, 184, 255, 92, 84, 78, 255, 92, 84, 78, 255, 214, 202, 184, 255]),
   2,
   2,
 );
-checks.colorSpace = SRGBColorSpace;
-checks.wrapS = checks.wrapT = RepeatWrapping;
+checks.colorSpace = THREE.SRGBColorSpace;
+checks.wrapS = checks.wrapT = THREE.RepeatWrapping;
 checks.repeat.set(10, 10);
 checks.needsUpdate = true;
-const floor = new Mesh(new PlaneGeometry(24, 24), new MeshStandardMaterial({ map: checks, roughness: 0.55 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(24, 24),
+  new THREE.MeshStandardMaterial({ map: checks, roughness: 0.55 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0x8fa8d8, 0x302820, 0.3));
+scene.add(floor, new THREE.HemisphereLight(0x8fa8d8, 0x302820, 0.3));
 
 const shapes = [
-  new TorusKnotGeometry(0.55, 0.19, 160, 24),
+  new THREE.TorusKnotGeometry(0.55, 0.19, 160, 24),
   new TeapotGeometry(0.6, 14),
-  new SphereGeometry(0.7, 48, 32),
-  new IcosahedronGeometry(0.75, 1),
-  new CapsuleGeometry(0.4, 0.8, 12, 32),
+  new THREE.SphereGeometry(0.7, 48, 32),
+  new THREE.IcosahedronGeometry(0.75, 1),
+  new THREE.CapsuleGeometry(0.4, 0.8, 12, 32),
 ];
 for (const [i, geometry] of shapes.entries()) {
   const angle = (i / shapes.length) * 2 * Math.PI;
-  const color = new Color().setHSL(i / shapes.length, 0.55, 0.5);
-  const material = new MeshStandardMaterial({ color, roughness: 0.15 + 0.16 * i, metalness: i % 2 });
-  const mesh = new Mesh(geometry, material);
+  const color = new THREE.Color().setHSL(i / shapes.length, 0.55, 0.5);
+  const material = new THREE.MeshStandardMaterial({ color, roughness: 0.15 + 0.16 * i, metalness: i % 2 });
+  const mesh = new THREE.Mesh(geometry, material);
   mesh.position.set(2 * Math.cos(angle), 0.85, 2 * Math.sin(angle));
   scene.add(mesh);
 }
-const heart = new Mesh(
-  new OctahedronGeometry(0.5, 2),
-  new MeshStandardMaterial({ color: 0x222222, emissive: 0xff7a30, emissiveIntensity: 1.6 }),
+const heart = new THREE.Mesh(
+  new THREE.OctahedronGeometry(0.5, 2),
+  new THREE.MeshStandardMaterial({ color: 0x222222, emissive: 0xff7a30, emissiveIntensity: 1.6 }),
 );
 heart.position.y = 1;
 scene.add(heart);
 
 const lights = Array.from({ length: 40 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL((i * 0.17) % 1, 0.8, 0.6), 3, 3.2);
+  const light = new THREE.PointLight(new THREE.Color().setHSL((i * 0.17) % 1, 0.8, 0.6), 3, 3.2);
   scene.add(light);
   return light;
 });

@@ -8,40 +8,34 @@
 import { FarolRenderer } from '@farol/renderer';
 import { setLightOptions } from '@farol/renderer/light-options';
 import { PhotometricProfile, parseIES } from '@farol/renderer/light-profiles';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  CylinderGeometry,
-  HemisphereLight,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x050609);
-const camera = new PerspectiveCamera(40, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x050609);
+const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 100);
 camera.position.set(0, 1.9, 10.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 2, 0);
 controls.update();
 
-const wall = new Mesh(new PlaneGeometry(24, 7, 1, 1), new MeshStandardMaterial({ color: 0xc9b8a0, roughness: 0.9 }));
+const wall = new THREE.Mesh(
+  new THREE.PlaneGeometry(24, 7, 1, 1),
+  new THREE.MeshStandardMaterial({ color: 0xc9b8a0, roughness: 0.9 }),
+);
 wall.position.set(0, 3.5, 0);
-const floor = new Mesh(new PlaneGeometry(24, 10), new MeshStandardMaterial({ color: 0x3b3530, roughness: 0.4 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(24, 10),
+  new THREE.MeshStandardMaterial({ color: 0x3b3530, roughness: 0.4 }),
+);
 floor.rotation.x = -Math.PI / 2;
 floor.position.z = 5;
-scene.add(wall, floor, new HemisphereLight(0x8090c0, 0x302820, 0.08));
+scene.add(wall, floor, new THREE.HemisphereLight(0x8090c0, 0x302820, 0.08));
 
 /** Text of an IES file (LM-63) whose luminaire gives `candelas` at each degree from straight down. */
 function iesOf(candelas: (degrees: number) => number): string {
@@ -60,15 +54,15 @@ const luminaires = [
   (v: number) => 800 * bell(v, 0, 7) + 90 * bell(v, 60, 12),
 ];
 const colors = [0xffe0b0, 0xffc890, 0xfff0dd, 0xffd8a8, 0xffb878, 0xfff4e6, 0xffcf9a];
-const can = new CylinderGeometry(0.09, 0.12, 0.28, 24);
+const can = new THREE.CylinderGeometry(0.09, 0.12, 0.28, 24);
 for (const [i, candelas] of luminaires.entries()) {
   const profile = new PhotometricProfile(parseIES(iesOf(candelas)));
-  const light = new PointLight(colors[i], 15, 7);
+  const light = new THREE.PointLight(colors[i], 15, 7);
   setLightOptions(light, { profile: profile.texture });
   light.position.set(1.72 * (i - 3), 3.2, 0.42);
-  const lamp = new Mesh(
+  const lamp = new THREE.Mesh(
     can,
-    new MeshStandardMaterial({ color: 0x22242a, emissive: colors[i], emissiveIntensity: 0.6 }),
+    new THREE.MeshStandardMaterial({ color: 0x22242a, emissive: colors[i], emissiveIntensity: 0.6 }),
   );
   lamp.position.y = 0.1;
   light.add(lamp);

@@ -7,51 +7,31 @@
  */
 import { FarolRenderer } from '@farol/renderer';
 import { setLightOptions } from '@farol/renderer/light-options';
-import {
-  ACESFilmicToneMapping,
-  BackSide,
-  BoxGeometry,
-  CanvasTexture,
-  Color,
-  CubeTexture,
-  CylinderGeometry,
-  HemisphereLight,
-  MathUtils,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  OctahedronGeometry,
-  PerspectiveCamera,
-  PointLight,
-  SRGBColorSpace,
-  Scene,
-  SpotLight,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x030407);
-const camera = new PerspectiveCamera(46, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x030407);
+const camera = new THREE.PerspectiveCamera(46, 1, 0.1, 100);
 camera.position.set(0, 2.6, 9.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 2.2, -1);
 controls.update();
 
-const room = new Mesh(
-  new BoxGeometry(12, 6, 10),
-  new MeshStandardMaterial({ color: 0xb0a698, roughness: 0.85, side: BackSide }),
+const room = new THREE.Mesh(
+  new THREE.BoxGeometry(12, 6, 10),
+  new THREE.MeshStandardMaterial({ color: 0xb0a698, roughness: 0.85, side: THREE.BackSide }),
 );
 room.position.set(0, 3, 0);
-scene.add(room, new HemisphereLight(0x8090d0, 0x604830, 0.5));
-const column = new CylinderGeometry(0.35, 0.4, 6, 32);
+scene.add(room, new THREE.HemisphereLight(0x8090d0, 0x604830, 0.5));
+const column = new THREE.CylinderGeometry(0.35, 0.4, 6, 32);
 for (const x of [-4.4, 4.4]) {
-  const mesh = new Mesh(column, new MeshStandardMaterial({ color: 0xcfc6b6, roughness: 0.6 }));
+  const mesh = new THREE.Mesh(column, new THREE.MeshStandardMaterial({ color: 0xcfc6b6, roughness: 0.6 }));
   mesh.position.set(x, 3, -2.6);
   scene.add(mesh);
 }
@@ -79,18 +59,18 @@ const rose = draw((context) => {
     }
   }
 });
-const window_ = new SpotLight(0xffffff, 520, 20, 0.5, 0.15);
+const window_ = new THREE.SpotLight(0xffffff, 520, 20, 0.5, 0.15);
 window_.position.set(0, 3.2, 4.8);
 window_.target.position.set(0, 3, -5);
-window_.map = new CanvasTexture(rose);
-window_.map.colorSpace = SRGBColorSpace;
+window_.map = new THREE.CanvasTexture(rose);
+window_.map.colorSpace = THREE.SRGBColorSpace;
 scene.add(window_, window_.target);
 
 const stars = draw((context) => {
   context.fillStyle = '#fff';
   for (let i = 0; i < 26; i++) {
     context.save();
-    context.translate(1.7 * (MathUtils.seededRandom() - 0.5), 1.7 * (MathUtils.seededRandom() - 0.5));
+    context.translate(1.7 * (THREE.MathUtils.seededRandom() - 0.5), 1.7 * (THREE.MathUtils.seededRandom() - 0.5));
     context.rotate(9 * i);
     context.beginPath();
     for (let k = 0; k < 10; k++) {
@@ -101,17 +81,19 @@ const stars = draw((context) => {
     context.restore();
   }
 });
-const cookie = new CubeTexture([stars, stars, stars, stars, stars, stars]);
-cookie.colorSpace = SRGBColorSpace;
+const cookie = new THREE.CubeTexture([stars, stars, stars, stars, stars, stars]);
+cookie.colorSpace = THREE.SRGBColorSpace;
 cookie.needsUpdate = true;
 for (const [x, color] of [
   [-3, 0xffb454],
   [3, 0x7ab8ff],
 ] as const) {
-  const lantern = new PointLight(color, 50, 10);
+  const lantern = new THREE.PointLight(color, 50, 10);
   lantern.position.set(x, 1.6, 1.2);
   setLightOptions(lantern, { cookie });
-  lantern.add(new Mesh(new OctahedronGeometry(0.2, 1), new MeshBasicMaterial({ color, wireframe: true })));
+  lantern.add(
+    new THREE.Mesh(new THREE.OctahedronGeometry(0.2, 1), new THREE.MeshBasicMaterial({ color, wireframe: true })),
+  );
   scene.add(lantern);
 }
 

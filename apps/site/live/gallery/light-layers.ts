@@ -6,69 +6,53 @@
  * @tags light layers, spot light
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  CylinderGeometry,
-  Group,
-  HemisphereLight,
-  LatheGeometry,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  SpotLight,
-  Vector2,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', lightLayers: true });
 
-const scene = new Scene();
-scene.background = new Color(0x08090d);
-const camera = new PerspectiveCamera(38, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x08090d);
+const camera = new THREE.PerspectiveCamera(38, 1, 0.1, 100);
 camera.position.set(0, 1.8, 7);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.15, 0);
 controls.update();
 
-const stage = new Mesh(
-  new CylinderGeometry(6, 6, 0.2, 96),
-  new MeshStandardMaterial({ color: 0x4a4038, roughness: 0.5 }),
+const stage = new THREE.Mesh(
+  new THREE.CylinderGeometry(6, 6, 0.2, 96),
+  new THREE.MeshStandardMaterial({ color: 0x4a4038, roughness: 0.5 }),
 );
 stage.position.y = -0.1;
 stage.receiveShadow = true;
-scene.add(stage, new HemisphereLight(0x7080b0, 0x403828, 0.2));
-const wash = new SpotLight(0xffe0b8, 150, 16, 0.75, 0.8);
+scene.add(stage, new THREE.HemisphereLight(0x7080b0, 0x403828, 0.2));
+const wash = new THREE.SpotLight(0xffe0b8, 150, 16, 0.75, 0.8);
 wash.position.set(0, 7, 4);
 wash.castShadow = true;
 scene.add(wash);
 
-const marble = new MeshStandardMaterial({ color: 0xf2eee6, roughness: 0.4 });
-const body = new LatheGeometry(
-  [0.42, 0.38, 0.26, 0.3, 0.36, 0.24, 0.12, 0.1].map((radius, i) => new Vector2(radius, 0.24 * i)),
+const marble = new THREE.MeshStandardMaterial({ color: 0xf2eee6, roughness: 0.4 });
+const body = new THREE.LatheGeometry(
+  [0.42, 0.38, 0.26, 0.3, 0.36, 0.24, 0.12, 0.1].map((radius, i) => new THREE.Vector2(radius, 0.24 * i)),
   48,
 );
-const head = new SphereGeometry(0.22, 32, 20);
-const rims: PointLight[] = [];
+const head = new THREE.SphereGeometry(0.22, 32, 20);
+const rims: THREE.PointLight[] = [];
 for (let i = 0; i < 5; i++) {
-  const figure = new Group();
+  const figure = new THREE.Group();
   figure.position.set(1.7 * (i - 2), 0, i % 2 ? 0.5 : -0.4);
-  const skull = new Mesh(head, marble);
+  const skull = new THREE.Mesh(head, marble);
   skull.position.y = 1.86;
-  figure.add(new Mesh(body, marble), skull);
+  figure.add(new THREE.Mesh(body, marble), skull);
   figure.traverse((object) => {
     object.castShadow = true;
     object.layers.enable(i + 1); // 0, which all lights reach, and its own
   });
-  const rim = new PointLight(new Color().setHSL(i / 5, 1, 0.5), 34, 5);
+  const rim = new THREE.PointLight(new THREE.Color().setHSL(i / 5, 1, 0.5), 34, 5);
   rim.layers.set(i + 1); // neither the stage nor the other figures get any of it
   rims.push(rim);
   camera.layers.enable(i + 1);

@@ -6,58 +6,44 @@
  * @tags baking, effect
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BoxGeometry,
-  BufferGeometry,
-  Color,
-  CylinderGeometry,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { bakeProbes } from '@farol/bake';
 import { LightProbes, type ProbeBox, ProbeGrid, probePoints, setBakedSurroundings } from '@farol/renderer/light-probes';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', effects: [new LightProbes()] });
 
-const scene = new Scene();
-scene.background = new Color(0x0a0d16);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x0a0d16);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(0, 3.2, 8.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
 controls.update();
 
-const add = (geometry: BufferGeometry, color: number, x: number, y: number, z: number) => {
-  const mesh = new Mesh(geometry, new MeshStandardMaterial({ color, roughness: 0.9 }));
+const add = (geometry: THREE.BufferGeometry, color: number, x: number, y: number, z: number) => {
+  const mesh = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({ color, roughness: 0.9 }));
   mesh.position.set(x, y, z);
   scene.add(mesh);
 };
-add(new BoxGeometry(9, 0.2, 5), 0xd8d0c4, 0, -0.1, 0);
-add(new BoxGeometry(9, 3, 0.2), 0xe8e0d4, 0, 1.5, -2.5);
-add(new BoxGeometry(0.2, 3, 5), 0xe03020, -4.5, 1.5, 0);
-add(new BoxGeometry(0.2, 3, 5), 0x20b040, 4.5, 1.5, 0);
-for (const x of [-1.5, 1.5]) add(new CylinderGeometry(0.3, 0.3, 3, 32), 0xf0ece4, x, 1.5, -1.4);
+add(new THREE.BoxGeometry(9, 0.2, 5), 0xd8d0c4, 0, -0.1, 0);
+add(new THREE.BoxGeometry(9, 3, 0.2), 0xe8e0d4, 0, 1.5, -2.5);
+add(new THREE.BoxGeometry(0.2, 3, 5), 0xe03020, -4.5, 1.5, 0);
+add(new THREE.BoxGeometry(0.2, 3, 5), 0x20b040, 4.5, 1.5, 0);
+for (const x of [-1.5, 1.5]) add(new THREE.CylinderGeometry(0.3, 0.3, 3, 32), 0xf0ece4, x, 1.5, -1.4);
 for (const x of [-3, 0, 3]) {
-  const lamp = new PointLight(0xffe6c0, 16, 7);
+  const lamp = new THREE.PointLight(0xffe6c0, 16, 7);
   lamp.position.set(x, 2.7, 0.6);
-  lamp.add(new Mesh(new SphereGeometry(0.08, 16, 12), new MeshBasicMaterial({ color: 0xfff0d8 })));
+  lamp.add(new THREE.Mesh(new THREE.SphereGeometry(0.08, 16, 12), new THREE.MeshBasicMaterial({ color: 0xfff0d8 })));
   scene.add(lamp);
 }
 
-const ball = new SphereGeometry(0.36, 48, 32);
+const ball = new THREE.SphereGeometry(0.36, 48, 32);
 const balls = Array.from({ length: 7 }, () => {
-  const mesh = new Mesh(ball, new MeshStandardMaterial({ color: 0xffffff, roughness: 0.5 }));
+  const mesh = new THREE.Mesh(ball, new THREE.MeshStandardMaterial({ color: 0xffffff, roughness: 0.5 }));
   mesh.visible = false; // until the probes are there
   scene.add(mesh);
   return mesh;

@@ -6,32 +6,17 @@
  * @tags microshader, deferred
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BufferGeometry,
-  CapsuleGeometry,
-  Color,
-  ConeGeometry,
-  Group,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x1a1c2c);
-const camera = new PerspectiveCamera(40, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x1a1c2c);
+const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 100);
 camera.position.set(3.4, 2.2, 5);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
@@ -48,34 +33,34 @@ const toon = {
 };
 farol.microshaders.replace('shadeSurface', toon);
 
-const matte = (color: number) => new MeshStandardMaterial({ color, roughness: 1 });
-const floor = new Mesh(new PlaneGeometry(30, 30), matte(0x7a6f9a));
+const matte = (color: number) => new THREE.MeshStandardMaterial({ color, roughness: 1 });
+const floor = new THREE.Mesh(new THREE.PlaneGeometry(30, 30), matte(0x7a6f9a));
 floor.rotation.x = -Math.PI / 2;
-const bunny = new Group();
-const part = (geometry: BufferGeometry, color: number, x: number, y: number, z: number) => {
-  const mesh = new Mesh(geometry, matte(color));
+const bunny = new THREE.Group();
+const part = (geometry: THREE.BufferGeometry, color: number, x: number, y: number, z: number) => {
+  const mesh = new THREE.Mesh(geometry, matte(color));
   mesh.position.set(x, y, z);
   bunny.add(mesh);
   return mesh;
 };
-part(new SphereGeometry(0.75, 48, 32), 0xf4efe6, 0, 0.75, 0);
-part(new SphereGeometry(0.5, 48, 32), 0xf4efe6, 0, 1.65, 0.15);
+part(new THREE.SphereGeometry(0.75, 48, 32), 0xf4efe6, 0, 0.75, 0);
+part(new THREE.SphereGeometry(0.5, 48, 32), 0xf4efe6, 0, 1.65, 0.15);
 for (const x of [-0.22, 0.22]) {
-  part(new CapsuleGeometry(0.12, 0.55, 12, 24), 0xf4efe6, x, 2.35, 0).rotation.z = -0.6 * x;
-  part(new SphereGeometry(0.07, 24, 16), 0x222233, x, 1.72, 0.6);
-  part(new SphereGeometry(0.26, 32, 20), 0xf4efe6, 2 * x, 0.2, 0.5);
+  part(new THREE.CapsuleGeometry(0.12, 0.55, 12, 24), 0xf4efe6, x, 2.35, 0).rotation.z = -0.6 * x;
+  part(new THREE.SphereGeometry(0.07, 24, 16), 0x222233, x, 1.72, 0.6);
+  part(new THREE.SphereGeometry(0.26, 32, 20), 0xf4efe6, 2 * x, 0.2, 0.5);
 }
-part(new SphereGeometry(0.08, 24, 16), 0xff7a9a, 0, 1.58, 0.65);
-part(new SphereGeometry(0.2, 24, 16), 0xffffff, 0, 0.5, -0.72);
+part(new THREE.SphereGeometry(0.08, 24, 16), 0xff7a9a, 0, 1.58, 0.65);
+part(new THREE.SphereGeometry(0.2, 24, 16), 0xffffff, 0, 0.5, -0.72);
 scene.add(floor, bunny);
 for (let i = 0; i < 14; i++) {
   const angle = (i / 14) * 2 * Math.PI;
-  const tree = new Mesh(new ConeGeometry(0.5, 1.8, 24), matte(0x4f9a72));
+  const tree = new THREE.Mesh(new THREE.ConeGeometry(0.5, 1.8, 24), matte(0x4f9a72));
   tree.position.set(6 * Math.cos(angle), 0.9, 6 * Math.sin(angle));
   scene.add(tree);
 }
 const lights = Array.from({ length: 10 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(0.02 + 0.09 * i, 0.7, 0.7), 7, 6);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(0.02 + 0.09 * i, 0.7, 0.7), 7, 6);
   scene.add(light);
   return light;
 });

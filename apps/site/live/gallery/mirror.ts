@@ -6,58 +6,53 @@
  * @tags targets, point light
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  CircleGeometry,
-  Color,
-  HemisphereLight,
-  IcosahedronGeometry,
-  Mesh,
-  MeshBasicMaterial,
-  MeshPhysicalMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PointLight,
-  RingGeometry,
-  Scene,
-  SphereGeometry,
-  TorusKnotGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Reflector } from 'three/addons/objects/Reflector.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-forward' });
 
-const scene = new Scene();
-scene.background = new Color(0x07080d);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x07080d);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(2.8, 2.2, 5);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
 controls.update();
 
-const mirror = new Reflector(new CircleGeometry(4, 96), { textureWidth: 1024, textureHeight: 1024, color: 0x9a9fa8 });
+const mirror = new Reflector(new THREE.CircleGeometry(4, 96), {
+  textureWidth: 1024,
+  textureHeight: 1024,
+  color: 0x9a9fa8,
+});
 mirror.rotation.x = -Math.PI / 2;
-const stand = new Mesh(new RingGeometry(4, 14, 96), new MeshStandardMaterial({ color: 0x3a3d46, roughness: 0.7 }));
+const stand = new THREE.Mesh(
+  new THREE.RingGeometry(4, 14, 96),
+  new THREE.MeshStandardMaterial({ color: 0x3a3d46, roughness: 0.7 }),
+);
 stand.rotation.x = -Math.PI / 2;
-scene.add(mirror, stand, new HemisphereLight(0x90a0e0, 0x302820, 0.3));
+scene.add(mirror, stand, new THREE.HemisphereLight(0x90a0e0, 0x302820, 0.3));
 const shapes = Array.from({ length: 9 }, (_, i) => {
-  const material = new MeshPhysicalMaterial({
-    color: new Color().setHSL(i / 9, 0.55, 0.6),
+  const material = new THREE.MeshPhysicalMaterial({
+    color: new THREE.Color().setHSL(i / 9, 0.55, 0.6),
     roughness: 0.35,
     clearcoat: 1,
   });
-  const mesh = new Mesh(i % 3 ? new IcosahedronGeometry(0.5, 0) : new TorusKnotGeometry(0.36, 0.13, 120, 18), material);
+  const mesh = new THREE.Mesh(
+    i % 3 ? new THREE.IcosahedronGeometry(0.5, 0) : new THREE.TorusKnotGeometry(0.36, 0.13, 120, 18),
+    material,
+  );
   scene.add(mesh);
   return mesh;
 });
 const lights = Array.from({ length: 12 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(0.1 + 0.02 * i, 0.6, 0.7), 9, 6);
-  light.add(new Mesh(new SphereGeometry(0.06, 16, 12), new MeshBasicMaterial({ color: light.color })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL(0.1 + 0.02 * i, 0.6, 0.7), 9, 6);
+  light.add(
+    new THREE.Mesh(new THREE.SphereGeometry(0.06, 16, 12), new THREE.MeshBasicMaterial({ color: light.color })),
+  );
   scene.add(light);
   return light;
 });

@@ -6,73 +6,58 @@
  * @tags targets, many lights
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BufferGeometry,
-  CapsuleGeometry,
-  Color,
-  Group,
-  HalfFloatType,
-  HemisphereLight,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderTarget,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-forward' });
 
-const scene = new Scene();
-scene.background = new Color(0x060709);
-const camera = new PerspectiveCamera(45, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x060709);
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
 camera.position.set(0.7, 1.9, 5.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.7, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x5c6068, roughness: 0.35 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x5c6068, roughness: 0.35 }),
+);
 floor.rotation.x = -Math.PI / 2;
-const robot = new Group();
-const steel = new MeshStandardMaterial({ color: 0xd8b060, roughness: 0.3, metalness: 0.7 });
-const add = (geometry: BufferGeometry, x: number, y: number, z: number) => {
-  const mesh = new Mesh(geometry, steel);
+const robot = new THREE.Group();
+const steel = new THREE.MeshStandardMaterial({ color: 0xd8b060, roughness: 0.3, metalness: 0.7 });
+const add = (geometry: THREE.BufferGeometry, x: number, y: number, z: number) => {
+  const mesh = new THREE.Mesh(geometry, steel);
   mesh.position.set(x, y, z);
   robot.add(mesh);
 };
 add(new RoundedBoxGeometry(0.9, 0.9, 0.7, 4, 0.12), 0, 0.9, 0);
-add(new SphereGeometry(0.36, 32, 20), 0, 1.65, 0);
-for (const x of [-0.62, 0.62]) add(new CapsuleGeometry(0.13, 0.6, 8, 20), x, 0.85, 0);
-for (const x of [-0.25, 0.25]) add(new CapsuleGeometry(0.16, 0.3, 8, 20), x, 0.3, 0);
+add(new THREE.SphereGeometry(0.36, 32, 20), 0, 1.65, 0);
+for (const x of [-0.62, 0.62]) add(new THREE.CapsuleGeometry(0.13, 0.6, 8, 20), x, 0.85, 0);
+for (const x of [-0.25, 0.25]) add(new THREE.CapsuleGeometry(0.16, 0.3, 8, 20), x, 0.3, 0);
 robot.position.z = 1.6;
-scene.add(floor, robot, new HemisphereLight(0x90a8e0, 0x302820, 0.25));
+scene.add(floor, robot, new THREE.HemisphereLight(0x90a8e0, 0x302820, 0.25));
 const lights = Array.from({ length: 16 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(i / 16, 0.85, 0.6), 5, 4);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(i / 16, 0.85, 0.6), 5, 4);
   scene.add(light);
   return light;
 });
 const eyes = Array.from({ length: 6 }, (_, i) => {
-  const target = new WebGLRenderTarget(256, 160, { type: HalfFloatType, samples: 4 });
-  const eye = new PerspectiveCamera(50, 1.6, 0.1, 30);
-  const screen = new Mesh(
-    new PlaneGeometry(1.76, 1.1),
-    new MeshBasicMaterial({ map: target.texture, toneMapped: false }),
+  const target = new THREE.WebGLRenderTarget(256, 160, { type: THREE.HalfFloatType, samples: 4 });
+  const eye = new THREE.PerspectiveCamera(50, 1.6, 0.1, 30);
+  const screen = new THREE.Mesh(
+    new THREE.PlaneGeometry(1.76, 1.1),
+    new THREE.MeshBasicMaterial({ map: target.texture, toneMapped: false }),
   );
   screen.position.set(2 * ((i % 3) - 1), i < 3 ? 2.8 : 1.5, -1.2);
   screen.rotation.y = -0.25 * ((i % 3) - 1);
-  const frame = new Mesh(
+  const frame = new THREE.Mesh(
     new RoundedBoxGeometry(1.9, 1.24, 0.1, 3, 0.04),
-    new MeshStandardMaterial({ color: 0x16181c, roughness: 0.4 }),
+    new THREE.MeshStandardMaterial({ color: 0x16181c, roughness: 0.4 }),
   );
   frame.position.z = -0.07;
   screen.add(frame);

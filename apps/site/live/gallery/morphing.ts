@@ -6,47 +6,29 @@
  * @tags animation, shadows
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  HemisphereLight,
-  IcosahedronGeometry,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  SpotLight,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x06060a);
-const camera = new PerspectiveCamera(40, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x06060a);
+const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 100);
 camera.position.set(0, 1.9, 5.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.15, 0);
 controls.update();
 
-const ball = new IcosahedronGeometry(0.8, 40);
-const base = ball.attributes.position as BufferAttribute;
-const at = new Vector3();
+const ball = new THREE.IcosahedronGeometry(0.8, 40);
+const base = ball.attributes.position as THREE.BufferAttribute;
+const at = new THREE.Vector3();
 /** Morph target that has the ball's points at other distances from its middle. */
-function target(distance: (theta: number, phi: number) => number): BufferAttribute {
+function target(distance: (theta: number, phi: number) => number): THREE.BufferAttribute {
   const moved = base.clone();
   for (let i = 0; i < base.count; i++) {
     at.fromBufferAttribute(base, i).normalize();
@@ -61,7 +43,7 @@ ball.morphAttributes.position = [
   target((theta, phi) => 1 - 0.3 * Math.cos(4 * theta) * Math.sin(3 * phi)),
 ];
 const normals = ball.morphAttributes.position.map((position) => {
-  const shape = new BufferGeometry().setAttribute('position', position);
+  const shape = new THREE.BufferGeometry().setAttribute('position', position);
   const merged = mergeVertices(shape);
   merged.computeVertexNormals();
   return position.clone().copyArray(smoothNormals(merged, position.count));
@@ -69,7 +51,7 @@ const normals = ball.morphAttributes.position.map((position) => {
 ball.morphAttributes.normal = normals;
 
 /** Normals of a geometry without doubled points, for each point of the one with them. */
-function smoothNormals(merged: BufferGeometry, count: number): Float32Array {
+function smoothNormals(merged: THREE.BufferGeometry, count: number): Float32Array {
   const all = new Float32Array(3 * count);
   const { normal } = merged.attributes;
   for (let i = 0; i < count; i++) {
@@ -78,19 +60,22 @@ function smoothNormals(merged: BufferGeometry, count: number): Float32Array {
   }
   return all;
 }
-const thing = new Mesh(ball, new MeshStandardMaterial({ color: 0xf0e6da, roughness: 0.3 }));
+const thing = new THREE.Mesh(ball, new THREE.MeshStandardMaterial({ color: 0xf0e6da, roughness: 0.3 }));
 thing.position.y = 1.3;
 thing.castShadow = thing.receiveShadow = true;
 thing.morphTargetInfluences = [0, 0, 0];
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x8d8478, roughness: 0.6 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x8d8478, roughness: 0.6 }),
+);
 floor.rotation.x = -Math.PI / 2;
 floor.receiveShadow = true;
-scene.add(thing, floor, new HemisphereLight(0x90a0e0, 0x302820, 0.12));
+scene.add(thing, floor, new THREE.HemisphereLight(0x90a0e0, 0x302820, 0.12));
 for (const [x, color] of [
   [-2.4, 0xff3a6a],
   [2.4, 0x2a6aff],
 ] as const) {
-  const spot = new SpotLight(color, 60, 12, 0.5, 0.6);
+  const spot = new THREE.SpotLight(color, 60, 12, 0.5, 0.6);
   spot.position.set(x, 3.6, 2.2);
   spot.target = thing;
   spot.castShadow = true;
@@ -98,8 +83,8 @@ for (const [x, color] of [
   scene.add(spot);
 }
 const lights = Array.from({ length: 20 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(0.08 + 0.03 * (i % 4), 0.9, 0.6), 1.6, 3);
-  light.add(new Mesh(new SphereGeometry(0.03, 12, 8), new MeshBasicMaterial({ color: 0xffe0b0 })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL(0.08 + 0.03 * (i % 4), 0.9, 0.6), 1.6, 3);
+  light.add(new THREE.Mesh(new THREE.SphereGeometry(0.03, 12, 8), new THREE.MeshBasicMaterial({ color: 0xffe0b0 })));
   scene.add(light);
   return light;
 });

@@ -6,68 +6,48 @@
  * @tags many lights, shadows, area light, scenes
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BoxGeometry,
-  CapsuleGeometry,
-  Color,
-  CylinderGeometry,
-  Fog,
-  Group,
-  HemisphereLight,
-  InstancedMesh,
-  MathUtils,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  Object3D,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  RectAreaLight,
-  Scene,
-  SphereGeometry,
-  SpotLight,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x05070f);
-scene.fog = new Fog(0x05070f, 14, 60);
-const camera = new PerspectiveCamera(52, 1, 0.1, 120);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x05070f);
+scene.fog = new THREE.Fog(0x05070f, 14, 60);
+const camera = new THREE.PerspectiveCamera(52, 1, 0.1, 120);
 camera.position.set(0.6, 1.9, 10);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(-0.3, 1.9, -6);
 controls.update();
 
-const road = new Mesh(new PlaneGeometry(120, 120), new MeshStandardMaterial({ color: 0x2e3238, roughness: 0.24 }));
+const road = new THREE.Mesh(
+  new THREE.PlaneGeometry(120, 120),
+  new THREE.MeshStandardMaterial({ color: 0x2e3238, roughness: 0.24 }),
+);
 road.rotation.x = -Math.PI / 2;
 road.receiveShadow = true;
-scene.add(road, new HemisphereLight(0x4a64b0, 0x0a0a0c, 0.35));
+scene.add(road, new THREE.HemisphereLight(0x4a64b0, 0x0a0a0c, 0.35));
 
-const random = () => MathUtils.seededRandom();
-const pane = new PlaneGeometry(0.5, 0.7);
-const lit = new InstancedMesh(pane, new MeshBasicMaterial(), 640);
-const place = new Object3D();
-const color = new Color();
+const random = () => THREE.MathUtils.seededRandom();
+const pane = new THREE.PlaneGeometry(0.5, 0.7);
+const lit = new THREE.InstancedMesh(pane, new THREE.MeshBasicMaterial(), 640);
+const place = new THREE.Object3D();
+const color = new THREE.Color();
 let panes = 0;
-const awning = new BoxGeometry(2.6, 0.1, 0.9);
-const step = new BoxGeometry(1, 1, 1);
+const awning = new THREE.BoxGeometry(2.6, 0.1, 0.9);
+const step = new THREE.BoxGeometry(1, 1, 1);
 for (let i = 0; i < 20; i++) {
   const side = i % 2 ? 1 : -1;
   const z = 6 - 4 * Math.floor(i / 2);
   const height = 5 + 5 * random();
-  const wall = new Mesh(
+  const wall = new THREE.Mesh(
     step,
-    new MeshStandardMaterial({ color: color.setHSL(0.04 + 0.08 * random(), 0.22, 0.3), roughness: 0.85 }),
+    new THREE.MeshStandardMaterial({ color: color.setHSL(0.04 + 0.08 * random(), 0.22, 0.3), roughness: 0.85 }),
   );
   wall.scale.set(4, height, 3.9);
   wall.position.set(side * 5.4, height / 2, z);
@@ -84,21 +64,29 @@ for (let i = 0; i < 20; i++) {
   }
   // a shop: its window is an area light, its sign two points
   const hue = random();
-  const window_ = new RectAreaLight(color.setHSL(0.09 + 0.05 * random(), 0.7, 0.55).getHex(), 3, 2.2, 1.5);
+  const window_ = new THREE.RectAreaLight(color.setHSL(0.09 + 0.05 * random(), 0.7, 0.55).getHex(), 3, 2.2, 1.5);
   window_.position.set(side * 3.37, 1.4, z);
   window_.rotation.y = side > 0 ? Math.PI / 2 : -Math.PI / 2;
-  window_.add(new Mesh(new PlaneGeometry(2.2, 1.5).rotateY(Math.PI), new MeshBasicMaterial({ color: window_.color })));
-  const roof = new Mesh(awning, new MeshStandardMaterial({ color: new Color().setHSL(hue, 0.6, 0.4) }));
+  window_.add(
+    new THREE.Mesh(
+      new THREE.PlaneGeometry(2.2, 1.5).rotateY(Math.PI),
+      new THREE.MeshBasicMaterial({ color: window_.color }),
+    ),
+  );
+  const roof = new THREE.Mesh(
+    awning,
+    new THREE.MeshStandardMaterial({ color: new THREE.Color().setHSL(hue, 0.6, 0.4) }),
+  );
   roof.position.set(side * 3, 2.4, z);
   roof.rotation.set(0, Math.PI / 2, side * 0.2, 'YXZ');
   roof.castShadow = roof.receiveShadow = true;
   scene.add(window_, roof);
   for (const dz of [-0.7, 0.7]) {
-    const sign = new PointLight(new Color().setHSL(hue, 1, 0.55), 5, 4.5);
+    const sign = new THREE.PointLight(new THREE.Color().setHSL(hue, 1, 0.55), 5, 4.5);
     sign.position.set(side * 3.15, 2.9, z + dz);
-    const tube = new Mesh(
-      new CapsuleGeometry(0.04, 0.9, 6, 12).rotateX(Math.PI / 2),
-      new MeshBasicMaterial({ color: sign.color }),
+    const tube = new THREE.Mesh(
+      new THREE.CapsuleGeometry(0.04, 0.9, 6, 12).rotateX(Math.PI / 2),
+      new THREE.MeshBasicMaterial({ color: sign.color }),
     );
     sign.add(tube);
     scene.add(sign);
@@ -106,44 +94,46 @@ for (let i = 0; i < 20; i++) {
 }
 lit.count = panes;
 scene.add(lit);
-const post = new CylinderGeometry(0.04, 0.07, 3.8, 12);
-const iron = new MeshStandardMaterial({ color: 0x202226, roughness: 0.5, metalness: 0.5 });
+const post = new THREE.CylinderGeometry(0.04, 0.07, 3.8, 12);
+const iron = new THREE.MeshStandardMaterial({ color: 0x202226, roughness: 0.5, metalness: 0.5 });
 for (let i = 0; i < 12; i++) {
   const side = i % 2 ? 1 : -1;
-  const pole = new Mesh(post, iron);
+  const pole = new THREE.Mesh(post, iron);
   pole.position.set(side * 2.6, 1.9, 5 - 6 * Math.floor(i / 2));
   pole.castShadow = pole.receiveShadow = true;
-  const lamp = new SpotLight(0xffc27a, 75, 10, 0.95, 0.7);
+  const lamp = new THREE.SpotLight(0xffc27a, 75, 10, 0.95, 0.7);
   lamp.position.set(pole.position.x - side * 0.4, 3.8, pole.position.z);
   lamp.target.position.set(lamp.position.x - side * 0.5, 0, pole.position.z);
   lamp.castShadow = true;
   lamp.shadow.normalBias = 0.03;
-  lamp.add(new Mesh(new SphereGeometry(0.1, 16, 12), new MeshBasicMaterial({ color: 0xffe0b0 })));
+  lamp.add(new THREE.Mesh(new THREE.SphereGeometry(0.1, 16, 12), new THREE.MeshBasicMaterial({ color: 0xffe0b0 })));
   scene.add(pole, lamp, lamp.target);
 }
 const body = new RoundedBoxGeometry(1.3, 0.5, 2.8, 4, 0.2);
 const cabin = new RoundedBoxGeometry(1.1, 0.45, 1.4, 4, 0.18);
 const cars = Array.from({ length: 8 }, (_, i) => {
-  const car = new Group();
-  const paint = new MeshStandardMaterial({
-    color: new Color().setHSL(random(), 0.5, 0.35),
+  const car = new THREE.Group();
+  const paint = new THREE.MeshStandardMaterial({
+    color: new THREE.Color().setHSL(random(), 0.5, 0.35),
     roughness: 0.25,
     metalness: 0.6,
   });
-  const top = new Mesh(cabin, paint);
+  const top = new THREE.Mesh(cabin, paint);
   top.position.set(0, 0.75, 0.2);
-  const low = new Mesh(body, paint);
+  const low = new THREE.Mesh(body, paint);
   low.position.y = 0.4;
   for (const part of [low, top]) part.castShadow = part.receiveShadow = true;
   car.add(low, top);
   for (const x of [-0.45, 0.45]) {
-    const head = new SpotLight(0xfff2dc, 45, 12, 0.35, 0.8);
+    const head = new THREE.SpotLight(0xfff2dc, 45, 12, 0.35, 0.8);
     head.position.set(x, 0.45, -1.4);
     head.target.position.set(x, 0, -6);
-    const tail = new PointLight(0xff2010, 2.2, 3);
+    const tail = new THREE.PointLight(0xff2010, 2.2, 3);
     tail.position.set(x, 0.45, 1.5);
     for (const light of [head, tail])
-      light.add(new Mesh(new SphereGeometry(0.07, 12, 8), new MeshBasicMaterial({ color: light.color })));
+      light.add(
+        new THREE.Mesh(new THREE.SphereGeometry(0.07, 12, 8), new THREE.MeshBasicMaterial({ color: light.color })),
+      );
     car.add(head, head.target, tail);
   }
   car.rotation.y = i % 2 ? Math.PI : 0;

@@ -6,18 +6,7 @@
  * @tags canvas, transparency
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  IcosahedronGeometry,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  TorusGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const page = document.createElement('article');
@@ -29,20 +18,20 @@ page.querySelector('h1')!.style.cssText = 'font-size: 12vw; margin: 0; line-heig
 document.body.append(page);
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
-const scene = new Scene(); // no background: what nothing covers stays transparent
-const camera = new PerspectiveCamera(45, 1, 0.1, 60);
+const scene = new THREE.Scene(); // no background: what nothing covers stays transparent
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 60);
 camera.position.set(0, 0, 7);
 const controls = new OrbitControls(camera, canvas);
 
 const rings = Array.from({ length: 6 }, (_, i) => {
   const isGlass = i % 2 === 0;
-  const ring = new Mesh(
-    isGlass ? new IcosahedronGeometry(0.7, 1) : new TorusGeometry(0.8, 0.26, 32, 96),
-    new MeshStandardMaterial({
-      color: new Color().setHSL(i / 6, 0.7, 0.55),
+  const ring = new THREE.Mesh(
+    isGlass ? new THREE.IcosahedronGeometry(0.7, 1) : new THREE.TorusGeometry(0.8, 0.26, 32, 96),
+    new THREE.MeshStandardMaterial({
+      color: new THREE.Color().setHSL(i / 6, 0.7, 0.55),
       roughness: 0.15,
       metalness: isGlass ? 0 : 0.8,
       transparent: isGlass,
@@ -55,7 +44,7 @@ const rings = Array.from({ length: 6 }, (_, i) => {
   return ring;
 });
 const lights = Array.from({ length: 18 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(i / 18, 0.6, 0.7), 14, 6);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(i / 18, 0.6, 0.7), 14, 6);
   scene.add(light);
   return light;
 });

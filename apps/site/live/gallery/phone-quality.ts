@@ -6,65 +6,54 @@
  * @tags phones, cost, shadows
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  CylinderGeometry,
-  HemisphereLight,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  OctahedronGeometry,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  SpotLight,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', quality: 'lite' });
 
-const scene = new Scene();
-scene.background = new Color(0x070812);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x070812);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(3.6, 2.6, 5.6);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.8, 0);
 controls.update();
 
-const floor = new Mesh(
-  new CylinderGeometry(3.2, 3.2, 0.2, 96),
-  new MeshStandardMaterial({ color: 0x8a8fa0, roughness: 0.45 }),
+const floor = new THREE.Mesh(
+  new THREE.CylinderGeometry(3.2, 3.2, 0.2, 96),
+  new THREE.MeshStandardMaterial({ color: 0x8a8fa0, roughness: 0.45 }),
 );
 floor.position.y = -0.1;
 floor.receiveShadow = true;
-scene.add(floor, new HemisphereLight(0x90a8e0, 0x302820, 0.25));
-const gem = new OctahedronGeometry(0.34, 0);
+scene.add(floor, new THREE.HemisphereLight(0x90a8e0, 0x302820, 0.25));
+const gem = new THREE.OctahedronGeometry(0.34, 0);
 const gems = Array.from({ length: 12 }, (_, i) => {
-  const mesh = new Mesh(
+  const mesh = new THREE.Mesh(
     gem,
-    new MeshStandardMaterial({ color: new Color().setHSL(i / 12, 0.5, 0.65), roughness: 0.2, metalness: 0.3 }),
+    new THREE.MeshStandardMaterial({
+      color: new THREE.Color().setHSL(i / 12, 0.5, 0.65),
+      roughness: 0.2,
+      metalness: 0.3,
+    }),
   );
   mesh.scale.y = 1.6;
   mesh.castShadow = mesh.receiveShadow = true;
   scene.add(mesh);
   return mesh;
 });
-const moon = new SpotLight(0xbcd0ff, 160, 16, 0.5, 0.6);
+const moon = new THREE.SpotLight(0xbcd0ff, 160, 16, 0.5, 0.6);
 moon.position.set(-3, 7, 3);
 moon.castShadow = true;
 moon.shadow.normalBias = 0.03;
 scene.add(moon);
-const bulb = new SphereGeometry(0.05, 16, 12);
+const bulb = new THREE.SphereGeometry(0.05, 16, 12);
 const lights = Array.from({ length: 30 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL((i * 0.618) % 1, 0.85, 0.6), 1.6, 2.4);
-  light.add(new Mesh(bulb, new MeshBasicMaterial({ color: light.color })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL((i * 0.618) % 1, 0.85, 0.6), 1.6, 2.4);
+  light.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: light.color })));
   scene.add(light);
   return light;
 });

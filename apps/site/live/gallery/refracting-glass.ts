@@ -6,46 +6,31 @@
  * @tags transparency, transmission, materials
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  CircleGeometry,
-  Color,
-  CylinderGeometry,
-  HemisphereLight,
-  IcosahedronGeometry,
-  InstancedMesh,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshPhysicalMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x0a0c12);
-const camera = new PerspectiveCamera(40, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x0a0c12);
+const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 100);
 camera.position.set(0, 1.5, 6);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.1, 0);
 controls.update();
 
-const floor = new Mesh(new CircleGeometry(8, 96), new MeshStandardMaterial({ color: 0x39404c, roughness: 0.3 }));
+const floor = new THREE.Mesh(
+  new THREE.CircleGeometry(8, 96),
+  new THREE.MeshStandardMaterial({ color: 0x39404c, roughness: 0.3 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0xbfd4ff, 0x302820, 0.5));
+scene.add(floor, new THREE.HemisphereLight(0xbfd4ff, 0x302820, 0.5));
 
-const glass = new MeshPhysicalMaterial({
+const glass = new THREE.MeshPhysicalMaterial({
   transmission: 1,
   thickness: 0.9,
   roughness: 0.03,
@@ -54,25 +39,25 @@ const glass = new MeshPhysicalMaterial({
   attenuationColor: 0xbfe8ff,
   attenuationDistance: 4,
 });
-const gem = new Mesh(new IcosahedronGeometry(0.95, 0), glass);
+const gem = new THREE.Mesh(new THREE.IcosahedronGeometry(0.95, 0), glass);
 gem.position.set(-1.6, 1.05, 0.2);
-const teapot = new Mesh(new TeapotGeometry(0.75, 18), glass);
+const teapot = new THREE.Mesh(new TeapotGeometry(0.75, 18), glass);
 teapot.position.set(0.8, 0.8, 0.5);
 scene.add(gem, teapot);
-const rods = new InstancedMesh(
-  new CylinderGeometry(0.09, 0.09, 3, 24),
-  new MeshStandardMaterial({ roughness: 0.3 }),
+const rods = new THREE.InstancedMesh(
+  new THREE.CylinderGeometry(0.09, 0.09, 3, 24),
+  new THREE.MeshStandardMaterial({ roughness: 0.3 }),
   17,
 );
 for (let i = 0; i < 17; i++) {
-  rods.setMatrixAt(i, new Matrix4().makeTranslation(0.5 * (i - 8), 1.5, -2.2));
-  rods.setColorAt(i, new Color().setHSL(i / 17, 0.6, 0.55));
+  rods.setMatrixAt(i, new THREE.Matrix4().makeTranslation(0.5 * (i - 8), 1.5, -2.2));
+  rods.setColorAt(i, new THREE.Color().setHSL(i / 17, 0.6, 0.55));
 }
 scene.add(rods);
-const bulb = new SphereGeometry(0.05, 16, 12);
+const bulb = new THREE.SphereGeometry(0.05, 16, 12);
 const lamps = Array.from({ length: 30 }, (_, i) => {
-  const lamp = new PointLight(new Color().setHSL(i / 30, 0.75, 0.6), 2.2, 3.5);
-  lamp.add(new Mesh(bulb, new MeshBasicMaterial({ color: lamp.color })));
+  const lamp = new THREE.PointLight(new THREE.Color().setHSL(i / 30, 0.75, 0.6), 2.2, 3.5);
+  lamp.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: lamp.color })));
   scene.add(lamp);
   return lamp;
 });

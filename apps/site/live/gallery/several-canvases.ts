@@ -6,32 +6,23 @@
  * @tags canvas, technique
  */
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  HemisphereLight,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  TorusKnotGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 
-const scene = new Scene();
-scene.background = new Color(0x07080d);
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x7c8088, roughness: 0.5 }));
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x07080d);
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x7c8088, roughness: 0.5 }),
+);
 floor.rotation.x = -Math.PI / 2;
-const knot = new Mesh(
-  new TorusKnotGeometry(0.8, 0.26, 200, 32),
-  new MeshStandardMaterial({ color: 0xf0e4d4, roughness: 0.3, metalness: 0.2 }),
+const knot = new THREE.Mesh(
+  new THREE.TorusKnotGeometry(0.8, 0.26, 200, 32),
+  new THREE.MeshStandardMaterial({ color: 0xf0e4d4, roughness: 0.3, metalness: 0.2 }),
 );
 knot.position.y = 1.3;
-scene.add(floor, knot, new HemisphereLight(0x8fa8d8, 0x302820, 0.2));
+scene.add(floor, knot, new THREE.HemisphereLight(0x8fa8d8, 0x302820, 0.2));
 const lights = Array.from({ length: 24 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(i / 24, 0.85, 0.6), 3.5, 4);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(i / 24, 0.85, 0.6), 3.5, 4);
   scene.add(light);
   return light;
 });
@@ -49,9 +40,9 @@ const panes = eyes.map(([technique, angle, height], i) => {
   const canvas = i === 0 ? first : document.createElement('canvas');
   canvas.style.cssText = 'flex: 1; min-width: 0; width: 0; height: 100%; border-radius: 8px';
   row.append(canvas);
-  const webgl = new WebGLRenderer({ canvas, antialias: true });
-  webgl.toneMapping = ACESFilmicToneMapping;
-  const camera = new PerspectiveCamera(45, 1, 0.1, 60);
+  const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+  webgl.toneMapping = THREE.ACESFilmicToneMapping;
+  const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 60);
   camera.position.set(4.4 * Math.sin(angle), height, 4.4 * Math.cos(angle));
   camera.lookAt(0, 1.1, 0);
   return { canvas, webgl, camera, farol: new FarolRenderer(webgl, { technique }) };

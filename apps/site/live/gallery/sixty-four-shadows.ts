@@ -6,66 +6,52 @@
  * @tags shadows, spot light, many lights
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  CylinderGeometry,
-  HemisphereLight,
-  InstancedMesh,
-  MathUtils,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  Scene,
-  SphereGeometry,
-  SpotLight,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x040508);
-const camera = new PerspectiveCamera(40, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x040508);
+const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 100);
 camera.position.set(9, 9, 15);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(60, 60), new MeshStandardMaterial({ color: 0xaaa49a, roughness: 0.75 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(60, 60),
+  new THREE.MeshStandardMaterial({ color: 0xaaa49a, roughness: 0.75 }),
+);
 floor.rotation.x = -Math.PI / 2;
 floor.receiveShadow = true;
-scene.add(floor, new HemisphereLight(0x8090c0, 0x302820, 0.06));
+scene.add(floor, new THREE.HemisphereLight(0x8090c0, 0x302820, 0.06));
 
-const pieces = new InstancedMesh(
-  new CylinderGeometry(0.1, 0.22, 1.1, 6),
-  new MeshStandardMaterial({ color: 0xf0e8dc }),
+const pieces = new THREE.InstancedMesh(
+  new THREE.CylinderGeometry(0.1, 0.22, 1.1, 6),
+  new THREE.MeshStandardMaterial({ color: 0xf0e8dc }),
   81,
 );
 pieces.castShadow = pieces.receiveShadow = true;
-const matrix = new Matrix4();
+const matrix = new THREE.Matrix4();
 for (let i = 0; i < 81; i++) {
-  const high = 0.7 + MathUtils.seededRandom();
+  const high = 0.7 + THREE.MathUtils.seededRandom();
   matrix.makeScale(1, high, 1).setPosition(1.8 * ((i % 9) - 4), 0.55 * high, 1.8 * (Math.floor(i / 9) - 4));
   pieces.setMatrixAt(i, matrix);
 }
 scene.add(pieces);
 
-const bulb = new SphereGeometry(0.07, 12, 8);
+const bulb = new THREE.SphereGeometry(0.07, 12, 8);
 const lights = Array.from({ length: 64 }, (_, i) => {
-  const light = new SpotLight(new Color().setHSL((i * 0.13) % 1, 0.75, 0.6), 34, 6, 0.62, 0.6);
+  const light = new THREE.SpotLight(new THREE.Color().setHSL((i * 0.13) % 1, 0.75, 0.6), 34, 6, 0.62, 0.6);
   light.position.set(1.8 * ((i % 8) - 3.5), 2.6, 1.8 * (Math.floor(i / 8) - 3.5));
   light.castShadow = true;
   light.shadow.mapSize.set(256, 256);
-  light.add(new Mesh(bulb, new MeshBasicMaterial({ color: light.color })));
+  light.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: light.color })));
   scene.add(light, light.target);
   return light;
 });

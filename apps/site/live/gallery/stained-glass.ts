@@ -6,69 +6,62 @@
  * @tags transparency, point light
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BoxGeometry,
-  Color,
-  DoubleSide,
-  Group,
-  HemisphereLight,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'tiled-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x07080c);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x07080c);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(1.2, 2, 6);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1.7, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x6d655c, roughness: 0.45 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(40, 40),
+  new THREE.MeshStandardMaterial({ color: 0x6d655c, roughness: 0.45 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0x90a0d0, 0x302820, 0.15));
+scene.add(floor, new THREE.HemisphereLight(0x90a0d0, 0x302820, 0.15));
 
-const lead = new MeshStandardMaterial({ color: 0x1c1d20, roughness: 0.5, metalness: 0.6 });
-const bar = new BoxGeometry(0.08, 3.6, 0.1);
-const pane = new BoxGeometry(0.5, 0.5, 0.04);
+const lead = new THREE.MeshStandardMaterial({ color: 0x1c1d20, roughness: 0.5, metalness: 0.6 });
+const bar = new THREE.BoxGeometry(0.08, 3.6, 0.1);
+const pane = new THREE.BoxGeometry(0.5, 0.5, 0.04);
 for (let wall = 0; wall < 3; wall++) {
-  const screen = new Group();
+  const screen = new THREE.Group();
   screen.position.set(2.6 * (wall - 1), 0, wall === 1 ? -0.9 : 0.2);
   screen.rotation.y = 0.55 * (1 - wall);
   for (let x = 0; x <= 4; x++) {
-    const post = new Mesh(bar, lead);
+    const post = new THREE.Mesh(bar, lead);
     post.position.set(0.58 * (x - 2), 1.8, 0);
     screen.add(post);
   }
   for (let i = 0; i < 24; i++) {
-    const color = new Color().setHSL((0.61 * i + 0.2 * wall) % 1, 0.85, 0.5);
-    const glass = new Mesh(
+    const color = new THREE.Color().setHSL((0.61 * i + 0.2 * wall) % 1, 0.85, 0.5);
+    const glass = new THREE.Mesh(
       pane,
-      new MeshStandardMaterial({ color, transparent: true, opacity: 0.55, roughness: 0.12, side: DoubleSide }),
+      new THREE.MeshStandardMaterial({
+        color,
+        transparent: true,
+        opacity: 0.55,
+        roughness: 0.12,
+        side: THREE.DoubleSide,
+      }),
     );
     glass.position.set(0.58 * ((i % 4) - 1.5), 0.4 + 0.58 * Math.floor(i / 4), 0);
     screen.add(glass);
   }
   scene.add(screen);
 }
-const bulb = new SphereGeometry(0.06, 16, 12);
+const bulb = new THREE.SphereGeometry(0.06, 16, 12);
 const lamps = Array.from({ length: 16 }, (_, i) => {
-  const lamp = new PointLight(new Color().setHSL(0.08 + 0.03 * (i % 3), 0.8, 0.65), 5, 5);
-  lamp.add(new Mesh(bulb, new MeshBasicMaterial({ color: 0xffe6c0 })));
+  const lamp = new THREE.PointLight(new THREE.Color().setHSL(0.08 + 0.03 * (i % 3), 0.8, 0.65), 5, 5);
+  lamp.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: 0xffe6c0 })));
   scene.add(lamp);
   return lamp;
 });

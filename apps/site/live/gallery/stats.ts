@@ -6,52 +6,42 @@
  * @tags controls, cost
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  HemisphereLight,
-  InstancedMesh,
-  Matrix4,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 import StatsGL from 'stats-gl';
 import Stats from 'three/addons/libs/stats.module.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl);
 
-const scene = new Scene();
-scene.background = new Color(0x07080d);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x07080d);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(0, 3, 7.4);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.9, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x6f747e, roughness: 0.4 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x6f747e, roughness: 0.4 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0x8fa8d8, 0x302820, 0.2));
-const bars = new InstancedMesh(
+scene.add(floor, new THREE.HemisphereLight(0x8fa8d8, 0x302820, 0.2));
+const bars = new THREE.InstancedMesh(
   new RoundedBoxGeometry(0.22, 1, 0.22, 3, 0.04),
-  new MeshStandardMaterial({ roughness: 0.35 }),
+  new THREE.MeshStandardMaterial({ roughness: 0.35 }),
   120,
 );
-const matrix = new Matrix4();
-for (let i = 0; i < 120; i++) bars.setColorAt(i, new Color().setHSL(0.5 + i / 300, 0.5, 0.6));
+const matrix = new THREE.Matrix4();
+for (let i = 0; i < 120; i++) bars.setColorAt(i, new THREE.Color().setHSL(0.5 + i / 300, 0.5, 0.6));
 bars.frustumCulled = false;
 scene.add(bars);
 const lights = Array.from({ length: 48 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(i / 48, 0.85, 0.6), 3, 3.2);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(i / 48, 0.85, 0.6), 3, 3.2);
   scene.add(light);
   return light;
 });

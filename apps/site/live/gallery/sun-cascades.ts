@@ -6,61 +6,47 @@
  * @tags shadows, directional light
  */
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BoxGeometry,
-  Color,
-  CylinderGeometry,
-  DirectionalLight,
-  Fog,
-  HemisphereLight,
-  InstancedMesh,
-  Matrix4,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  Scene,
-  TorusKnotGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.toneMappingExposure = 0.75;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', shadowCascades: 4 });
 
-const scene = new Scene();
-scene.background = new Color(0x9fb4d0);
-scene.fog = new Fog(0x9fb4d0, 60, 240);
-const camera = new PerspectiveCamera(55, 1, 0.1, 300);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x9fb4d0);
+scene.fog = new THREE.Fog(0x9fb4d0, 60, 240);
+const camera = new THREE.PerspectiveCamera(55, 1, 0.1, 300);
 camera.position.set(2.6, 2.1, 10.5);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(-0.4, 2.3, -4);
 controls.update();
 
-const ground = new Mesh(new PlaneGeometry(600, 600), new MeshStandardMaterial({ color: 0xa89878, roughness: 0.95 }));
+const ground = new THREE.Mesh(
+  new THREE.PlaneGeometry(600, 600),
+  new THREE.MeshStandardMaterial({ color: 0xa89878, roughness: 0.95 }),
+);
 ground.rotation.x = -Math.PI / 2;
 ground.receiveShadow = true;
-const sun = new DirectionalLight(0xffe2b0, 4.2);
+const sun = new THREE.DirectionalLight(0xffe2b0, 4.2);
 sun.position.set(-70, 48, -60);
 sun.castShadow = true;
 sun.shadow.mapSize.set(2048, 2048);
 sun.shadow.normalBias = 0.05;
 sun.shadow.intensity = 0.95;
 Object.assign(sun.shadow.camera, { left: -130, right: 130, top: 130, bottom: -130, far: 320 });
-scene.add(ground, sun, new HemisphereLight(0xa8c4f0, 0x806a50, 1.6));
+scene.add(ground, sun, new THREE.HemisphereLight(0xa8c4f0, 0x806a50, 1.6));
 
-const stone = new MeshStandardMaterial({ color: 0xe2d6c0, roughness: 0.8 });
-const shaft = new CylinderGeometry(0.42, 0.52, 5, 20);
-const beam = new BoxGeometry(1.4, 0.5, 4);
+const stone = new THREE.MeshStandardMaterial({ color: 0xe2d6c0, roughness: 0.8 });
+const shaft = new THREE.CylinderGeometry(0.42, 0.52, 5, 20);
+const beam = new THREE.BoxGeometry(1.4, 0.5, 4);
 const PAIRS = 34;
-const columns = new InstancedMesh(shaft, stone, 2 * PAIRS);
-const beams = new InstancedMesh(beam, stone, 2 * PAIRS);
-const matrix = new Matrix4();
+const columns = new THREE.InstancedMesh(shaft, stone, 2 * PAIRS);
+const beams = new THREE.InstancedMesh(beam, stone, 2 * PAIRS);
+const matrix = new THREE.Matrix4();
 for (let i = 0; i < 2 * PAIRS; i++) {
   const x = i % 2 ? 4.2 : -4.2;
   const z = 8 - 4 * Math.floor(i / 2);
@@ -72,9 +58,9 @@ for (const mesh of [columns, beams]) {
   mesh.frustumCulled = false;
   scene.add(mesh);
 }
-const statue = new Mesh(
-  new TorusKnotGeometry(0.8, 0.26, 200, 32),
-  new MeshStandardMaterial({ color: 0x6f8f7a, roughness: 0.35, metalness: 0.5 }),
+const statue = new THREE.Mesh(
+  new THREE.TorusKnotGeometry(0.8, 0.26, 200, 32),
+  new THREE.MeshStandardMaterial({ color: 0x6f8f7a, roughness: 0.35, metalness: 0.5 }),
 );
 statue.position.set(0, 2, 2);
 statue.castShadow = statue.receiveShadow = true;

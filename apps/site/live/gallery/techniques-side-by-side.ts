@@ -6,54 +6,44 @@
  * @tags technique, start
  */
 import { FarolRenderer, techniques } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  HemisphereLight,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { TechniqueName } from '@farol/renderer';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl);
 
-const scene = new Scene();
-scene.background = new Color(0x06070b);
-const camera = new PerspectiveCamera(42, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x06070b);
+const camera = new THREE.PerspectiveCamera(42, 1, 0.1, 100);
 camera.position.set(5, 3.2, 7);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
 controls.update();
 
-const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x85807a, roughness: 0.5 }));
+const floor = new THREE.Mesh(
+  new THREE.PlaneGeometry(30, 30),
+  new THREE.MeshStandardMaterial({ color: 0x85807a, roughness: 0.5 }),
+);
 floor.rotation.x = -Math.PI / 2;
-scene.add(floor, new HemisphereLight(0x8fa8d8, 0x302820, 0.2));
-const ball = new SphereGeometry(0.42, 48, 32);
+scene.add(floor, new THREE.HemisphereLight(0x8fa8d8, 0x302820, 0.2));
+const ball = new THREE.SphereGeometry(0.42, 48, 32);
 for (let i = 0; i < 25; i++) {
-  const material = new MeshStandardMaterial({
+  const material = new THREE.MeshStandardMaterial({
     color: 0xe8e0d4,
     roughness: 0.08 + 0.22 * (i % 5),
     metalness: Math.floor(i / 5) / 4,
   });
-  const mesh = new Mesh(ball, material);
+  const mesh = new THREE.Mesh(ball, material);
   mesh.position.set(1.1 * ((i % 5) - 2), 0.42, 1.1 * (Math.floor(i / 5) - 2));
   scene.add(mesh);
 }
-const bulb = new SphereGeometry(0.05, 16, 12);
+const bulb = new THREE.SphereGeometry(0.05, 16, 12);
 const lights = Array.from({ length: 32 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL((i * 0.618) % 1, 0.8, 0.6), 2.6, 3);
-  light.add(new Mesh(bulb, new MeshBasicMaterial({ color: light.color })));
+  const light = new THREE.PointLight(new THREE.Color().setHSL((i * 0.618) % 1, 0.8, 0.6), 2.6, 3);
+  light.add(new THREE.Mesh(bulb, new THREE.MeshBasicMaterial({ color: light.color })));
   scene.add(light);
   return light;
 });

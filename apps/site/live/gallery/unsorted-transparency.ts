@@ -7,56 +7,46 @@
  */
 import { FarolRenderer } from '@farol/renderer';
 import { WeightedBlendedOIT } from '@farol/renderer/transparency';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  DoubleSide,
-  HemisphereLight,
-  IcosahedronGeometry,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  TorusGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', effects: [new WeightedBlendedOIT()] });
 
-const scene = new Scene();
-scene.background = new Color(0x0c0e15);
-const camera = new PerspectiveCamera(45, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x0c0e15);
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
 camera.position.set(0, 1.4, 7);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0, 0);
 controls.update();
 
-scene.add(new HemisphereLight(0xc0d0ff, 0x403830, 0.9));
+scene.add(new THREE.HemisphereLight(0xc0d0ff, 0x403830, 0.9));
 const rings = Array.from({ length: 14 }, (_, i) => {
-  const color = new Color().setHSL(i / 14, 0.85, 0.55);
-  const ring = new Mesh(
-    new TorusGeometry(1.1 + 0.11 * i, 0.24, 24, 96),
-    new MeshStandardMaterial({
+  const color = new THREE.Color().setHSL(i / 14, 0.85, 0.55);
+  const ring = new THREE.Mesh(
+    new THREE.TorusGeometry(1.1 + 0.11 * i, 0.24, 24, 96),
+    new THREE.MeshStandardMaterial({
       color,
       transparent: true,
       opacity: 0.4,
       roughness: 0.25,
       depthWrite: false,
-      side: DoubleSide,
+      side: THREE.DoubleSide,
     }),
   );
   scene.add(ring);
   return ring;
 });
-const core = new Mesh(new IcosahedronGeometry(0.5, 4), new MeshStandardMaterial({ color: 0xfff0d8, roughness: 0.3 }));
+const core = new THREE.Mesh(
+  new THREE.IcosahedronGeometry(0.5, 4),
+  new THREE.MeshStandardMaterial({ color: 0xfff0d8, roughness: 0.3 }),
+);
 scene.add(core);
 const lights = Array.from({ length: 12 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(i / 12, 0.6, 0.65), 9, 5);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(i / 12, 0.6, 0.65), 9, 5);
   scene.add(light);
   return light;
 });

@@ -7,34 +7,18 @@
  */
 import { FarolRenderer } from '@farol/renderer';
 import { Surface, setSurface } from '@farol/renderer/surfaces';
-import {
-  ACESFilmicToneMapping,
-  Color,
-  CylinderGeometry,
-  DoubleSide,
-  Fog,
-  Group,
-  HemisphereLight,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
-const webgl = new WebGLRenderer({ canvas, antialias: true });
-webgl.toneMapping = ACESFilmicToneMapping;
+const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = THREE.ACESFilmicToneMapping;
 const farol = new FarolRenderer(webgl, { technique: 'tiled-deferred' });
 
-const scene = new Scene();
-scene.background = new Color(0x060a14);
-scene.fog = new Fog(0x060a14, 8, 26);
-const camera = new PerspectiveCamera(45, 1, 0.1, 100);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x060a14);
+scene.fog = new THREE.Fog(0x060a14, 8, 26);
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
 camera.position.set(0, 2.3, 9);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.6, 0);
@@ -57,22 +41,22 @@ void surface(inout SurfaceData s) {
   s.roughness = 0.22;
 }`,
 );
-const sea = new Mesh(new PlaneGeometry(40, 40, 240, 240), new MeshStandardMaterial());
+const sea = new THREE.Mesh(new THREE.PlaneGeometry(40, 40, 240, 240), new THREE.MeshStandardMaterial());
 sea.rotation.x = -Math.PI / 2;
 setSurface(sea.material, water);
-scene.add(sea, new HemisphereLight(0x7090d0, 0x102030, 0.3));
+scene.add(sea, new THREE.HemisphereLight(0x7090d0, 0x102030, 0.3));
 
-const paper = new CylinderGeometry(0.22, 0.28, 0.5, 6, 1, true);
-const raft = new CylinderGeometry(0.4, 0.36, 0.08, 24);
-const wood = new MeshStandardMaterial({ color: 0x3a2a1c });
+const paper = new THREE.CylinderGeometry(0.22, 0.28, 0.5, 6, 1, true);
+const raft = new THREE.CylinderGeometry(0.4, 0.36, 0.08, 24);
+const wood = new THREE.MeshStandardMaterial({ color: 0x3a2a1c });
 const lanterns = Array.from({ length: 26 }, (_, i) => {
-  const lantern = new Group();
-  const color = new Color().setHSL(0.05 + 0.04 * (i % 3), 0.95, 0.55);
-  const shade = new Mesh(paper, new MeshBasicMaterial({ color, side: DoubleSide }));
+  const lantern = new THREE.Group();
+  const color = new THREE.Color().setHSL(0.05 + 0.04 * (i % 3), 0.95, 0.55);
+  const shade = new THREE.Mesh(paper, new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide }));
   shade.position.y = 0.3;
-  const light = new PointLight(color, 5, 4.5);
+  const light = new THREE.PointLight(color, 5, 4.5);
   light.position.y = 0.7;
-  lantern.add(shade, new Mesh(raft, wood), light);
+  lantern.add(shade, new THREE.Mesh(raft, wood), light);
   const far = Math.floor(i / 4);
   lantern.position.set(2.6 * ((i % 4) - 1.5) + Math.sin(5 * i), 0, 4 - 2.5 * far + Math.cos(3 * i));
   scene.add(lantern);

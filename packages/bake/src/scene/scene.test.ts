@@ -22,7 +22,7 @@ import {
   Vector3,
 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { testOptions } from '../testOptions';
+import { testOptions } from '../testing/testOptions';
 import { collectLights } from './collectLights';
 import { collectMeshes } from './collectMeshes';
 import { mergeTriangles } from './mergeTriangles';

@@ -1,7 +1,7 @@
 import { BoxGeometry, Mesh, MeshStandardMaterial, Object3D, Scene } from 'three';
 import { expect, it } from 'vitest';
 import { collectMeshes } from '../scene/collectMeshes';
-import { testOptions } from '../testOptions';
+import { testOptions } from '../testing/testOptions';
 import { distinctSurfaces } from './unwrapStaticMeshes';
 
 const [geometry, smooth] = [new BoxGeometry(1, 2, 3), new MeshStandardMaterial()];

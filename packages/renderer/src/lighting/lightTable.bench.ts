@@ -3,7 +3,7 @@ import { bench, describe } from 'vitest';
 import { LightTable } from './LightTable';
 import { rankByDepth } from '../techniques/light-lists/rankByDepth';
 import { rankByGrid } from '../techniques/light-lists/rankByGrid';
-import { createRandom } from '../lights/testScenes';
+import { createRandom } from '../lights/testing/testScenes';
 
 /**
  * Time of the records of one frame in which every light has moved, without the upload.

@@ -10,7 +10,7 @@ import {
   randomSpheres,
   testCameras,
   type TestCamera,
-} from './testScenes';
+} from './testing/testScenes';
 
 const WIDTH = 320;
 const HEIGHT = 184;

@@ -11,7 +11,7 @@ import {
 import { describe, expect, it, vi } from 'vitest';
 import { lightRange } from './lightData';
 import { POINT, readPoint } from './plainPoints';
-import { createRandom, randomDirection } from './testScenes';
+import { createRandom, randomDirection } from './testing/testScenes';
 import { VisibleLights } from './VisibleLights';
 
 const settings = { shadows: 'none', layers: null } as const;

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { coneBoundingSphere } from './spheres';
 import { coneIntersectsSphere, coneSupport } from './cones';
 import { projectedConeBounds, projectedSphereBounds } from './projection';
-import { createRandom, project, randomDirection, testCameras } from './testScenes';
+import { createRandom, project, randomDirection, testCameras } from './testing/testScenes';
 
 type Vector = [number, number, number];
 interface Cone {

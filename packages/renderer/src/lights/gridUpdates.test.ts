@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { LightGrid } from './LightGrid';
-import { createRandom, perspective, randomCones, randomSpheres, testCameras } from './testScenes';
+import { createRandom, perspective, randomCones, randomSpheres, testCameras } from './testing/testScenes';
 
 const COUNT = 60;
 

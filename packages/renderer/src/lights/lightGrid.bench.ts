@@ -1,6 +1,6 @@
 import { bench, describe } from 'vitest';
 import { LightGrid } from './LightGrid';
-import { createRandom, perspective } from './testScenes';
+import { createRandom, perspective } from './testing/testScenes';
 
 /**
  * Time of one update at 1280 × 720. `npx vitest bench --run --config packages/vitest.config.ts lightGrid`

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { projectedSphereBounds } from './projection';
-import { createRandom, perspective, project, randomDirection, randomSpheres, testCameras } from './testScenes';
+import { createRandom, perspective, project, randomDirection, randomSpheres, testCameras } from './testing/testScenes';
 
 const bounds = new Float64Array(4);
 const STEPS = 2000;

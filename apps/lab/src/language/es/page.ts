@@ -27,13 +27,6 @@ export const page: Texts = {
     'Este navegador no tiene WebGL 2: hace falta Chrome, Edge o Firefox de los últimos dos años, o Safari 17 o posterior.',
   'WebGL 2 is switched off here: switch hardware acceleration on in the browser’s settings, or update the graphics driver, then load the page again.':
     'WebGL 2 está desactivado aquí: hay que activar la aceleración por hardware en los ajustes del navegador, o actualizar el controlador gráfico, y volver a cargar la página.',
-  'Normals that a file lacks': 'Normales que le faltan a un archivo',
-  'Sponza, as it was handed round in 2015, came without normals; figure 4.3 of the thesis that Farol grew from shows what computed ones did to its arches. Here the atrium’s normals are taken off and computed again in two ways, under 50 lights, on your machine.':
-    'Sponza, tal como circulaba en 2015, venía sin normales; la figura 4.3 de la tesis de la que nació Farol muestra lo que las calculadas hicieron con sus arcos. Aquí se quitan las normales del atrio y se vuelven a calcular de dos maneras, bajo 50 luces, en tu equipo.',
-  'Not drawn yet': 'Aún sin dibujar',
-  'Drawing …': 'Dibujando …',
-  'none##of the corners': 'ninguno',
-  'less than 1%': 'menos del 1 %',
   'takes about': 'tarda unos',
   'working out how long': 'calculando cuánto falta',
   'about {time} left': 'faltan unos {time}',
@@ -51,12 +44,6 @@ export const page: Texts = {
   'What to measure': 'Qué medir',
   'Build your own': 'Componer una propia',
   'Measure: {label}': 'Medir: {label}',
-  'What a thesis of 2015 concluded, and what holds today':
-    'Lo que concluyó una tesis de 2015 y lo que sigue siendo cierto',
-  'Farol grew from a thesis that compared forward with deferred shading in 2015. The figures are those of the reference run on an NVIDIA H200 at 1280 × 720, November 2026: medians of frame times, forward by the thesis’s own algorithm (the whole scene drawn once per light, here “three: naive multipass”) against Farol’s deferred. Five of seven conclusions hold.':
-    'Farol nació de una tesis que comparó en 2015 forward con sombreado diferido. Las cifras son las de la medición de referencia en una NVIDIA H200 a 1280 × 720, en noviembre de 2026: medianas del tiempo de fotograma, forward con el algoritmo de la tesis (la escena entera una vez por luz, aquí «three: varias pasadas sin más») frente al diferido de Farol. Cinco de siete conclusiones siguen siendo ciertas.',
-  'Farol’s own forward technique draws each light over the objects within its range alone. With a single light over a plane it is slower than naive multipass (0.776 against 0.525 ms), with 500 lights in the atrium far faster: 97.4 against 549 ms, where deferred takes 6.46 ms.':
-    'La técnica forward de Farol dibuja cada luz solo sobre los objetos que alcanza. Con una sola luz sobre un plano es más lenta que las varias pasadas sin más (0.776 frente a 0.525 ms); con 500 luces en el atrio, mucho más rápida: 97.4 frente a 549 ms, donde el diferido tarda 6.46 ms.',
   Choices: 'Opciones',
   'Add a chart': 'Añadir un gráfico',
   'Who is measured': 'A quién se mide',
@@ -267,47 +254,6 @@ export const page: Texts = {
   'Babylon.js': 'Babylon.js',
   'Time of a frame': 'Tiempo de un fotograma',
   'CPU time in the call that draws': 'Tiempo de CPU en la llamada que dibuja',
-  'With few lights over simple geometry, forward is faster.':
-    'Con pocas luces sobre geometría sencilla, forward es más rápido.',
-  'Holds in part': 'Cierto en parte',
-  'One plane: 0.525 ms against 0.738 ms with 1 light, a tie with 4 lights (0.869 and 0.858 ms), and 3.34 ms against 1.23 ms with 25, where the thesis still saw forward ahead.':
-    'Un plano: 0.525 ms frente a 0.738 ms con 1 luz, empate con 4 luces (0.869 y 0.858 ms) y 3.34 ms frente a 1.23 ms con 25, donde la tesis aún veía forward por delante.',
-  'With 100 lights or more over a plane, forward falls behind deferred.':
-    'Con 100 luces o más sobre un plano, forward queda por detrás del diferido.',
-  Holds: 'Cierto',
-  '12.2 ms against 1.38 ms with 100 lights, 26.2 ms against 1.49 ms with 225.':
-    '12.2 ms frente a 1.38 ms con 100 luces, 26.2 ms frente a 1.49 ms con 225.',
-  'With a mesh more complex than a plane, forward loses already with 10 lights.':
-    'Con una malla más compleja que un plano, forward ya pierde con 10 luces.',
-  'Atrium: 11.4 ms against 2.52 ms. Temple: 8.44 ms against 2.3 ms.':
-    'Atrio: 11.4 ms frente a 2.52 ms. Templo: 8.44 ms frente a 2.3 ms.',
-  'Deferred slows down less than forward as lights are added.':
-    'El diferido se frena menos que forward al añadir luces.',
-  'From 10 to 500 lights in the atrium forward takes 48 times as long, deferred 2.6 times; in the temple 40 and 2.5 times; over a plane, from 1 to 225 lights, 50 and 2 times.':
-    'De 10 a 500 luces en el atrio, forward tarda 48 veces más y el diferido 2.6; en el templo, 40 y 2.5 veces; sobre un plano, de 1 a 225 luces, 50 y 2 veces.',
-  'The G-buffer has a fixed cost: with little to light, deferred is slower.':
-    'El G-buffer tiene un coste fijo: con poco que iluminar, el diferido es más lento.',
-  'One plane, 1 light: deferred takes 0.213 ms more than forward. Its G-buffer takes 0.247 ms whether 1 or 225 lights follow.':
-    'Un plano, 1 luz: el diferido tarda 0.213 ms más que forward. Su G-buffer tarda 0.247 ms, sigan 1 o 225 luces.',
-  'With 500 lights, deferred falls below 15 frames per second.':
-    'Con 500 luces, el diferido baja de 15 fotogramas por segundo.',
-  'Holds no more': 'Ya no es cierto',
-  '155 frames per second in the atrium and 172 in the temple, since this GPU is far faster than those of 2015.':
-    '155 fotogramas por segundo en el atrio y 172 en el templo, porque esta GPU es mucho más rápida que las de 2015.',
-  'Deferred draws many lights fluently where forward cannot.':
-    'El diferido dibuja con fluidez muchas luces donde forward no puede.',
-  'At 15 frames per second forward reaches 50 lights in the atrium and in the temple, deferred all 500. Tiled deferred, which the thesis left for later, draws 500 lights in the temple 1.91 times as fast as deferred.':
-    'A 15 fotogramas por segundo, forward llega a 50 luces en el atrio y en el templo, el diferido a las 500. El diferido por tiles, que la tesis dejó para más adelante, dibuja 500 luces en el templo 1.91 veces más rápido que el diferido.',
-  'By faces': 'Por caras',
-  'Arcade whose blocks and medallions look soft, like cushions':
-    'Arquería cuyos bloques y medallones se ven blandos, como cojines',
-  'Each point takes the mean of all triangles that meet there, so edges are shaded as if they were round: the blocks under the gallery look like cushions, and the diagonals of triangles show as stripes. The normal leans from its triangle by more than 30° at {share} of the corners.':
-    'Cada punto toma la media de todos los triángulos que se juntan en él, así que las aristas se sombrean como si fueran redondas: los bloques bajo la galería parecen cojines y las diagonales de los triángulos se ven como franjas. La normal se aparta de su triángulo más de 30° en {share} de los vértices.',
-  'By crease angle': 'Por ángulo de arista',
-  'The same arcade, whose blocks and medallions have sharp edges':
-    'La misma arquería, cuyos bloques y medallones tienen aristas vivas',
-  'Only triangles that meet at less than 30° share a normal: blocks and mouldings keep their edges, and columns and arches stay round. It leans by more at {share} of the corners.':
-    'Solo los triángulos que se juntan con menos de 30° comparten normal: bloques y molduras conservan sus aristas, y columnas y arcos siguen redondos. Se aparta más en {share} de los vértices.',
   'Scene and axis.': 'Escena y eje.',
   'Value of the case along the x axis of its chart.': 'Valor del caso en el eje x de su gráfico.',
   'Width and height in pixels.': 'Ancho y alto en píxeles.',

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { testRow, testRun } from '../../results/testRun';
+import { testRow, testRun } from '../../results/testing/testRun';
 import { isEmptyRun, whyIncomplete } from './whyIncomplete';
 
 const run = testRun({ complete: false, duration: 9000 });

@@ -1,23 +1,5 @@
 import { FarolRenderer } from '@farol/renderer';
-import {
-  ACESFilmicToneMapping,
-  BoxGeometry,
-  Color,
-  Fog,
-  HemisphereLight,
-  InstancedMesh,
-  MathUtils,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  PointLight,
-  Scene,
-  SphereGeometry,
-  WebGLRenderer,
-} from 'three';
+import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 /** Size of the page's canvas in CSS pixels, and device pixels for each. */
@@ -45,10 +27,10 @@ class CanvasEvents extends EventTarget {
   releasePointerCapture(): void {}
 }
 
-const scene = new Scene();
-scene.background = new Color(0x05060a);
-scene.fog = new Fog(0x05060a, 40, 110);
-const camera = new PerspectiveCamera(40, 1, 0.1, 200);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0x05060a);
+scene.fog = new THREE.Fog(0x05060a, 40, 110);
+const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 200);
 camera.position.set(19, 9, 21);
 const element = new CanvasEvents();
 const controls = new OrbitControls(camera, element as unknown as HTMLElement);
@@ -57,27 +39,30 @@ controls.maxPolarAngle = 1.5;
 controls.update();
 
 const SIDE = 56;
-const blocks = new InstancedMesh(
-  new BoxGeometry(),
-  new MeshStandardMaterial({ color: 0x9a9ca8, roughness: 0.4, metalness: 0.1 }),
+const blocks = new THREE.InstancedMesh(
+  new THREE.BoxGeometry(),
+  new THREE.MeshStandardMaterial({ color: 0x9a9ca8, roughness: 0.4, metalness: 0.1 }),
   SIDE * SIDE,
 );
-const matrix = new Matrix4();
+const matrix = new THREE.Matrix4();
 for (let i = 0; i < SIDE * SIDE; i++) {
   const x = (i % SIDE) - SIDE / 2;
   const z = Math.floor(i / SIDE) - SIDE / 2;
-  const height = 0.4 + 2.6 * MathUtils.seededRandom() ** 3 * (1 + Math.sin(x / 6) * Math.cos(z / 7));
+  const height = 0.4 + 2.6 * THREE.MathUtils.seededRandom() ** 3 * (1 + Math.sin(x / 6) * Math.cos(z / 7));
   matrix.makeScale(0.8, height, 0.8).setPosition(x, height / 2, z);
   blocks.setMatrixAt(i, matrix);
 }
-const ground = new Mesh(new PlaneGeometry(90, 90), new MeshStandardMaterial({ color: 0x55585f, roughness: 0.7 }));
+const ground = new THREE.Mesh(
+  new THREE.PlaneGeometry(90, 90),
+  new THREE.MeshStandardMaterial({ color: 0x55585f, roughness: 0.7 }),
+);
 ground.rotation.x = -Math.PI / 2;
-scene.add(blocks, ground, new HemisphereLight(0x6f86c0, 0x101014, 0.12));
+scene.add(blocks, ground, new THREE.HemisphereLight(0x6f86c0, 0x101014, 0.12));
 
-const lights: PointLight[] = [];
-const bulbs = new InstancedMesh(new SphereGeometry(0.08, 8, 6), new MeshBasicMaterial(), 1000);
+const lights: THREE.PointLight[] = [];
+const bulbs = new THREE.InstancedMesh(new THREE.SphereGeometry(0.08, 8, 6), new THREE.MeshBasicMaterial(), 1000);
 for (let i = 0; i < 1000; i++) {
-  const light = new PointLight(new Color().setHSL(MathUtils.seededRandom(), 0.9, 0.55), 1.5, 3.6);
+  const light = new THREE.PointLight(new THREE.Color().setHSL(THREE.MathUtils.seededRandom(), 0.9, 0.55), 1.5, 3.6);
   lights.push(light);
   bulbs.setColorAt(i, light.color);
 }
@@ -98,12 +83,12 @@ function move(seconds: number): void {
 
 // without it the first frames would be drawn by another technique
 const code = FarolRenderer.preload();
-let webgl: WebGLRenderer;
+let webgl: THREE.WebGLRenderer;
 let farol: FarolRenderer;
 
 function start(canvas: OffscreenCanvas, size: Size): void {
-  webgl = new WebGLRenderer({ canvas, antialias: true });
-  webgl.toneMapping = ACESFilmicToneMapping;
+  webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
+  webgl.toneMapping = THREE.ACESFilmicToneMapping;
   farol = new FarolRenderer(webgl);
   resize(size);
   show(true);

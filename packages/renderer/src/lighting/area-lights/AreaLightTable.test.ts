@@ -1,7 +1,7 @@
 import { Matrix4, RectAreaLight, Vector3, type WebGLRenderer } from 'three';
 import { describe, expect, it } from 'vitest';
 import { DataTable } from '../../gpu/DataTable';
-import { createRandom, randomDirection } from '../../lights/testScenes';
+import { createRandom, randomDirection } from '../../lights/testing/testScenes';
 import { MicroShaderRegistry } from '../../microshaders';
 import { parseMicroShader } from '../../microshaders/parseMicroShader';
 import all from './areaFeatures.glsl?raw';

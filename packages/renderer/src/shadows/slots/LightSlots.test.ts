@@ -1,6 +1,6 @@
 import { Object3D, PerspectiveCamera, SpotLight, Texture } from 'three';
 import { expect, test } from 'vitest';
-import { placeAndDraw } from './drawnSlot';
+import { placeAndDraw } from './testing/placeAndDraw';
 import { LightSlots } from './LightSlots';
 import type { ShadowSlot } from './ShadowSlot';
 

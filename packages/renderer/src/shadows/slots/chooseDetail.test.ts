@@ -9,7 +9,7 @@ import {
 } from 'three';
 import { expect, test } from 'vitest';
 import { chooseDetail } from './chooseDetail';
-import { placeAndDraw } from './drawnSlot';
+import { placeAndDraw } from './testing/placeAndDraw';
 import { ShadowSlot } from './ShadowSlot';
 
 const picture = { width: 1280, height: 720 };

@@ -1,6 +1,6 @@
 import { DirectionalLight, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { placeAndDraw } from './drawnSlot';
+import { placeAndDraw } from './testing/placeAndDraw';
 import { fitCascade } from './fitCascade';
 import { ShadowFace } from './ShadowFace';
 import { ShadowSlot } from './ShadowSlot';

@@ -1,4 +1,4 @@
-import type { CollectOptions } from './scene/collectMeshes';
+import type { CollectOptions } from '../scene/collectMeshes';
 
 /** Options under which everything is baked, and the sentences that were told. */
 export function testOptions(): CollectOptions & { warnings: string[] } {

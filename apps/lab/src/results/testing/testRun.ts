@@ -1,5 +1,5 @@
-import { type LabPlan, plainCase } from '../plan/LabPlan';
-import type { LabRow, LabRun } from './LabRun';
+import { type LabPlan, plainCase } from '../../plan/LabPlan';
+import type { LabRow, LabRun } from '../LabRun';
 
 const spread = (median: number) => ({ median, low: median * 0.9, high: median * 1.2, samples: 30 });
 

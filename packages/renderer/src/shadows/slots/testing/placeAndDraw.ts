@@ -1,4 +1,4 @@
-import type { ShadowSlot } from './ShadowSlot';
+import type { ShadowSlot } from '../ShadowSlot';
 
 /** Gives a slot a region and draws its map, as the atlas and the frame would. For tests. */
 export function placeAndDraw(

@@ -1,9 +1,9 @@
-import { competitorNames } from '../competitors/competitorNames';
-import type { LabCase } from '../plan/LabPlan';
-import { planOf } from '../plan/planOf';
-import { presets } from '../plan/presets';
-import type { LabRow, LabRun, Spread } from '../results/LabRun';
-import { isTechnique } from '../words/names';
+import { competitorNames } from '../../competitors/competitorNames';
+import type { LabCase } from '../../plan/LabPlan';
+import { planOf } from '../../plan/planOf';
+import { presets } from '../../plan/presets';
+import type { LabRow, LabRun, Spread } from '../../results/LabRun';
+import { isTechnique } from '../../words/names';
 
 export interface SampleOptions {
   /** Key in `presets`; default `quick`. */

@@ -1,6 +1,6 @@
-import { type Axis, type LabSeries, plainCase } from '../plan/LabPlan';
-import { lightKindNames, shadingNames } from '../plan/lightKinds';
-import type { LabRow, LabRun, Spread } from '../results/LabRun';
+import { type Axis, type LabSeries, plainCase } from '../../plan/LabPlan';
+import { lightKindNames, shadingNames } from '../../plan/lightKinds';
+import type { LabRow, LabRun, Spread } from '../../results/LabRun';
 
 /** A time without spread. */
 export const exactly = (median: number): Spread => ({ median, low: median, high: median, samples: 9 });
