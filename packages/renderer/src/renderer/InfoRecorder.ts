@@ -98,7 +98,7 @@ export class InfoRecorder {
       known.set(name, pass);
     }
     this.info.passes.push(pass);
-    if (isIdle) return void Object.assign(pass, IDLE);
+    if (isIdle) return void (pass.drawCalls + pass.cpuMs > 0 && Object.assign(pass, IDLE));
     this.pass = pass;
     const { render } = this.webgl.info;
     this.calls = render.calls;

@@ -24,16 +24,14 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
-/**
- * @param backs - whether to draw only back faces of double-sided transmissive objects, into three's transmission target
- */
+/** @param backs - whether to draw only back faces of double-sided transmissive objects, into three's transmission target */
 export type DrawScene = (backs: boolean) => void;
 
 /** Stand-in for a host's scene that three's `render` is given. */
 export type FarolView = Object3D & { readonly isFarolView?: true };
 
 const NOTHING = () => undefined;
-const NEVER = [false, false, false, false];
+const FLAGS = ['autoClear', 'autoClearColor', 'autoClearDepth', 'autoClearStencil'] as const;
 
 /**
  * Stand-in for a host's scene that three's own `render` is given: three does traversal, culling, geometry updates,
@@ -52,10 +50,7 @@ export class SceneView {
   /** Lists that `list` is taken from; replaced when a lost context is restored. */
   private lists!: RenderLists;
   private getList!: RenderLists['get'];
-  /**
-   * Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` has put its stacks in
-   * order.
-   */
+  /** Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` is done. */
   private failed = false;
   private error: unknown;
   /** Stands for all transmissive objects: three fills its transmission target only if there is one. */
@@ -69,7 +64,7 @@ export class SceneView {
   private holdsCamera = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
-  /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
+  /** The host's FLAGS while three is kept from clearing. */
   private readonly autoClear = [true, true, true, true];
   private keeps = false;
   /** Pixels that draws must write, since three was kept from clearing the target; null if three clears. */
@@ -129,9 +124,12 @@ export class SceneView {
     this.draw = draw;
     this.fills = fills;
     queue.clear();
-    this.children.length = 0;
-    for (const child of rest) this.children.push(child);
-    if (shadows !== null) for (const proxy of shadows.proxies) this.children.push(proxy);
+    // an array that is emptied and filled again would grow in each frame
+    const { children } = this;
+    let count = 0;
+    for (const child of rest) children[count++] = child;
+    if (shadows !== null) for (const proxy of shadows.proxies) children[count++] = proxy;
+    children.length = count;
     this.lights = lights;
     this.camera = camera;
     this.failed = false;
@@ -202,26 +200,15 @@ export class SceneView {
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
     this.uncleared = fills === 'behind' && (!queue!.covers || queue!.reachesFar) ? null : fills;
     if (this.uncleared === null) return;
-    autoClear[0] = webgl.autoClear;
-    autoClear[1] = webgl.autoClearColor;
-    autoClear[2] = webgl.autoClearDepth;
-    autoClear[3] = webgl.autoClearStencil;
+    for (let i = 0; i < FLAGS.length; i++) autoClear[i] = webgl[FLAGS[i]];
     if (fills === 'behind') webgl.autoClearColor = false;
-    else this.setAutoClear(NEVER);
+    else for (const flag of FLAGS) webgl[flag] = false;
     this.keeps = true;
   }
 
   private restoreClear(): void {
-    if (this.keeps) this.setAutoClear(this.autoClear);
+    if (this.keeps) for (let i = 0; i < FLAGS.length; i++) this.webgl[FLAGS[i]] = this.autoClear[i];
     this.keeps = false;
-  }
-
-  private setAutoClear(flags: readonly boolean[]): void {
-    const { webgl } = this;
-    webgl.autoClear = flags[0];
-    webgl.autoClearColor = flags[1];
-    webgl.autoClearDepth = flags[2];
-    webgl.autoClearStencil = flags[3];
   }
 
   /** True if three is about to clear colour and depth to a colour, and draws no background. */

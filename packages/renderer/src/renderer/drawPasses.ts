@@ -15,7 +15,9 @@ export function drawPasses(
   const { resources } = frame;
   for (const pass of passes) {
     const replacement = replacementOf(pass, effects);
-    recorder.beginPass(pass.name, replacement === null && pass.isIdle?.(frame) === true);
+    const isIdle = replacement === null && pass.isIdle?.(frame) === true;
+    recorder.beginPass(pass.name, isIdle);
+    if (isIdle && effects.length === 0) continue;
     resources.use(technique, pass);
     (replacement ?? pass).render!(frame, pass);
     resources.use(technique, null);
