@@ -3,7 +3,6 @@ import { appAddresses } from '@farol/tools/appAddresses';
 import { offlineApp } from '@farol/tools/offlineApp';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
-import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
 
 /** Address of the real Sponza if its glTF is in public/models/Sponza (ignored by git), otherwise null. */
@@ -20,8 +19,7 @@ function sponzaUrl(): string | null {
 export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
-  assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), securePages(), appAddresses(), offlineApp({ name: 'Farol viewer' })],
+  plugins: [securePages(), appAddresses(), offlineApp({ name: 'Farol viewer' })],
   define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
   resolve: {
     dedupe: ['three'],

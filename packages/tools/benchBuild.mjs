@@ -12,8 +12,6 @@ import { root } from './root.mjs';
  * @returns {Promise<string>} folder of the built Lab
  */
 export async function buildLab(checkout, isStageAlone = false) {
-  // the figures are of the dragon that others measure with
-  process.env.FAROL_STANFORD_DRAGON ??= '1';
   const { build } = await import('vite');
   const stage = join(checkout, 'apps/lab/stage.html');
   const alone = { name: 'stage-alone', options: (/** @type {object} */ all) => ({ ...all, input: stage }) };

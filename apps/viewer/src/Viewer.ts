@@ -17,7 +17,6 @@ import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
 import { setDemoParticles } from './demoParticles';
 import { setDemoRectangles } from './demoRectangles';
-import { dragonUrls } from './dragonUrls';
 import { measureScene } from './measure/measureScene';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelScene, modelValues } from './model/modelScene';
@@ -48,8 +47,9 @@ export class Viewer {
   /** Scenes, techniques and views to choose from. */
   readonly known = known;
 
-  /** Meshes and textures shared by all scenes, by resolution of the Stanford dragon. */
-  private readonly libraries = new Map<string, AssetLibrary>();
+  /** Meshes and textures shared by all scenes. */
+  readonly assets = new AssetLibrary();
+
   private model: LoadedModel | null = null;
   private loads = 0;
   private size = '';
@@ -96,15 +96,6 @@ export class Viewer {
 
   get camera(): ThreeCamera {
     return this.cameraComponent.three;
-  }
-
-  /** Meshes and textures for new scenes. */
-  get assets(): AssetLibrary {
-    const { dragon } = this.state;
-    let library = this.libraries.get(dragon);
-    const url = dragonUrls[dragon];
-    if (!library) this.libraries.set(dragon, (library = new AssetLibrary(url ? { urls: { dragon: url } } : {})));
-    return library;
   }
 
   /** The engine's scene; its GameObjects hold the objects of `scene`. */
@@ -179,12 +170,6 @@ export class Viewer {
   /** Fills the scene with `count` rectangle lights; 0 for none. */
   setRectangles(count: number): void {
     this.changed({ rectangles: count });
-  }
-
-  /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the current scene anew. */
-  async setDragon(name: string): Promise<void> {
-    this.changed({ dragon: name });
-    if (!this.model) await this.chooseScene(this.state.scene, true);
   }
 
   /**

