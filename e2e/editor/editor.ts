@@ -27,6 +27,7 @@ export interface EditorHandle {
     readonly scene: Scene;
     readonly selectedObjects: GameObject[];
     readonly selection: { readonly ids: readonly string[]; set(ids: readonly string[]): void };
+    readonly edited: { subscribe(listener: () => void): () => void };
     readonly simulation: { readonly state: string; step(): void; stop(): void };
     readonly assets: AssetLibrary;
     readonly scripts: { settled(): Promise<void>; classOf(script: string): object | null };

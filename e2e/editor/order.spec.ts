@@ -109,7 +109,9 @@ test('the palette finds a field by its help, shows it in the inspector, and adds
   const inspector = page.getByRole('region', { name: 'Inspector' });
   await expect(inspector.getByRole('searchbox', { name: 'Find a field' })).toHaveValue('Tone mapping');
   await expect(inspector.locator('[data-field]')).toHaveCount(1);
+  // all fields of what is selected next
   await addObject(page, 'Mesh', 'Box');
+  await expect(inspector.locator('[data-field="position"]')).toBeVisible();
   await page.keyboard.press('Control+k');
   await search.fill('random movement');
   await page

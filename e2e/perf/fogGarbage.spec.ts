@@ -1,4 +1,4 @@
-import { allocated, kept, least, LOOKS, KEPT, PATIENCE } from './heap';
+import { allocatedWarm, kept, least, LOOKS, KEPT } from './heap';
 import type { FarolEffect as Effect } from '@farol/renderer';
 import { expect, test } from './perfTest';
 
@@ -47,15 +47,12 @@ test('a frame with volumetric fog allocates next to nothing more, and keeps noth
       },
       [hasFog, WARM] as const,
     );
-  const look = () => allocated(page, session);
-  let [foggy, clear] = [Infinity, Infinity];
-  // in turn: what V8 compiles last is the leanest, and comes late on a busy machine
-  for (let turn = 0; turn < 3 || (foggy - clear > GARBAGE && turn < 3 * PATIENCE); turn++) {
-    await warm(false);
-    clear = Math.min(clear, await least(3, 0, look));
-    await warm(true);
-    foggy = Math.min(foggy, await least(3, 0, look));
-  }
+  await warm(true);
+  // once more without fog: what V8 compiles last is the leanest
+  await warm(false);
+  const clear = await allocatedWarm(page, session);
+  await warm(true);
+  const foggy = await allocatedWarm(page, session, clear + GARBAGE);
   const left = await least(LOOKS, KEPT, () => kept(page, session));
   const seen = `${clear.toFixed(0)} bytes a frame, ${foggy.toFixed(0)} with fog, ${left.toFixed(1)} kept`;
   test.info().annotations.push({ type: 'allocations', description: seen });

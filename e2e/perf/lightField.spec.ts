@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { allocated, KEPT, kept, least, LOOKS } from './heap';
+import { allocatedWarm, KEPT, kept, least, LOOKS } from './heap';
 import { expect, test } from './perfTest';
 
 /** Lights of the fields that are compared. */
@@ -7,7 +7,7 @@ const FEW = 128;
 const MANY = 8192;
 /** Bytes a frame that the field as a whole may allocate: numbers that V8 puts on the heap to pass them to WebGL, 12 each. */
 const OF_A_FIELD = 1200;
-/** Bytes that differ between two looks at the same frame. */
+/** Bytes that differ between two counts of the same frames. */
 const NOISE = 400;
 
 /** Makes a world with a field all of whose lights move in each frame, its draws doing nothing, until its code is warm. @returns lights drawn */
@@ -48,13 +48,12 @@ for (const technique of ['forward', 'deferred', 'tiled-deferred', 'clustered-for
     test.setTimeout(180_000);
     const session = await page.context().newCDPSession(page);
     await session.send('HeapProfiler.enable');
-    const look = () => allocated(page, session);
     await prepare(page, technique, 0);
-    const without = await least(LOOKS, 0, look);
+    const without = await allocatedWarm(page, session);
     expect(await prepare(page, technique, FEW)).toBe(4 + 1 + FEW);
-    const few = await least(LOOKS, without, look, without + OF_A_FIELD);
+    const few = await allocatedWarm(page, session, without + OF_A_FIELD);
     expect(await prepare(page, technique, MANY)).toBe(4 + 1 + MANY);
-    const many = await least(LOOKS, few, look, few + NOISE);
+    const many = await allocatedWarm(page, session, few + NOISE);
     const left = await least(LOOKS, KEPT, () => kept(page, session));
     const seen =
       `${technique}: ${without.toFixed(0)} bytes a frame without a field, ${few.toFixed(0)} with ${FEW} lights, ` +

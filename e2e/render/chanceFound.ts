@@ -17,12 +17,24 @@ export const chanceFound: Readonly<Record<string, SceneFacts>> = {
     lights: [{ kind: 'ambient' }],
     things: [{ as: 'levels' }],
   },
+  'an array of cameras over the canvas, whose viewports have fractions': {
+    view: { camera: 'array', target: 'canvas' },
+    lights: [{ position: [1, 2, 3], intensity: 20 }],
+    things: [{ position: [-2, 0, 0], shape: 'box' }, {}],
+  },
   'an image thrown at alphaHash, whose holes leave no neighbours in a G-buffer': {
     view: { position: [1.3, 2.5, 6.4] },
     lights: [{ kind: 'spot', map: 'checker', position: [1, 2.5, 3] }],
     things: [
       { position: [0, -1.3, 0], rotation: [-1.5708, 0, 0], scale: [40, 40, 1] },
       { material: { alphaHash: true, opacity: 0.5 } },
+    ],
+  },
+  'a group without a material, of a mesh that casts a shadow': {
+    lights: [{ kind: 'spot', shadow: {}, position: [1, 3, 2], intensity: 20 }],
+    things: [
+      { position: [0, -1.3, 0], rotation: [-1.5708, 0, 0], scale: [12, 12, 1], receiveShadow: true },
+      { as: 'of materials', castShadow: true },
     ],
   },
   'a bias along the normals of vertices where a map changes normals, and on back faces': {

@@ -18,7 +18,7 @@ const ANY = /performance|Date|set(Timeout|Interval)|waitForTimeout|hrtime|cpuUsa
 /**
  * Uses of time in the source of a test: clocks, and frames of a page that are counted to wait for something. A fake clock is
  * none, nor is a loop that asks in each frame whether something is there. Files `*.verify.test.ts` and tests with `@verify`
- * in their titles may use time.
+ * or `@long` in their titles may use time.
  *
  * @param {string} path
  * @param {string} source - TypeScript
@@ -82,7 +82,7 @@ const argumentsOf = (call, textOf) => call.arguments.map(textOf).join();
 function isOfVerify(node, textOf) {
   if (node.type !== 'CallExpression' || !/^(test|it|describe)\b/.test(textOf(node.callee))) return false;
   const [title, details] = node.arguments;
-  return [title, details].some((each) => each && !/Function/.test(each.type) && /@verify\b/.test(textOf(each)));
+  return [title, details].some((each) => each && !/Function/.test(each.type) && /@(verify|long)\b/.test(textOf(each)));
 }
 
 /**

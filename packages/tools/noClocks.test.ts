@@ -34,6 +34,7 @@ describe('tests use no time', () => {
     expect(clocksIn('e2e/a.spec.ts', source)).toHaveLength(1);
     expect(clocksIn('packages/a.verify.test.ts', source)).toEqual([]);
     expect(clocksIn('e2e/a.spec.ts', `test('long @verify', async () => { ${source} });`)).toEqual([]);
+    expect(clocksIn('e2e/a.spec.ts', `test('times @long', async () => { ${source} });`)).toEqual([]);
     expect(clocksIn('e2e/a.spec.ts', `test('long', { tag: '@verify' }, async () => { ${source} });`)).toEqual([]);
   });
 

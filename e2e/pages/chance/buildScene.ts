@@ -75,6 +75,9 @@ function cameraOf(view: ViewFacts, width: number, height: number): THREE.Perspec
   return camera;
 }
 
+/** Added to edges and sizes of viewports (pixels): WebGL cuts it off. */
+const FRACTION = 0.7;
+
 type PartCamera = THREE.PerspectiveCamera & { viewport: THREE.Vector4 };
 
 function arrayOf(camera: THREE.Camera, width: number, height: number): THREE.ArrayCamera {
@@ -82,7 +85,8 @@ function arrayOf(camera: THREE.Camera, width: number, height: number): THREE.Arr
     const one = camera.clone() as PartCamera;
     one.position.x += i - 1;
     const left = Math.round((i * width) / 3);
-    one.viewport = new THREE.Vector4(left, 0, Math.round(((i + 1) * width) / 3) - left, height);
+    const right = Math.round(((i + 1) * width) / 3);
+    one.viewport = new THREE.Vector4(left + FRACTION, 0, right - left + FRACTION, height);
     one.updateMatrixWorld();
     return one;
   });
@@ -99,8 +103,8 @@ function drawTwo(webgl: THREE.WebGLRenderer, camera: THREE.Camera, draw: (camera
   for (const i of [0, 1]) {
     const part = [(i * width) / 2, 4, width / 2, height - 4] as const;
     if (target) {
-      target.viewport.set(...part);
-      target.scissor.set(...part);
+      target.viewport.set(...part).addScalar(FRACTION);
+      target.scissor.set(...part).addScalar(FRACTION);
       target.scissorTest = true;
       webgl.setRenderTarget(target);
     } else {

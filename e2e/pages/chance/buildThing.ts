@@ -82,14 +82,13 @@ function morphedInstances(geometry: THREE.BufferGeometry, material: THREE.Materi
 /** Groups of triangles with a material each; the second is the facts' own. */
 function ofMaterials(geometry: THREE.BufferGeometry, material: THREE.Material): THREE.Mesh {
   const count = geometry.index?.count ?? geometry.attributes.position.count;
-  const third = Math.floor(count / 9) * 3;
+  const part = Math.floor(count / 12) * 3;
   geometry.clearGroups();
-  [0, 1, 2].forEach((i) => geometry.addGroup(i * third, third, i));
-  return new THREE.Mesh(geometry, [
-    new THREE.MeshLambertMaterial({ color: 0x88ff88 }),
-    material,
-    new THREE.MeshStandardMaterial({ color: 0xff88ff, transparent: true, opacity: 0.5 }),
-  ]);
+  [0, 1, 2, 3].forEach((i) => geometry.addGroup(i * part, part, i));
+  const veil = new THREE.MeshStandardMaterial({ color: 0xff88ff, transparent: true, opacity: 0.5 });
+  // three draws no group whose material is missing
+  const materials = [new THREE.MeshLambertMaterial({ color: 0x88ff88 }), material, veil, null];
+  return new THREE.Mesh(geometry, materials as THREE.Material[]);
 }
 
 function levels(geometry: THREE.BufferGeometry, material: THREE.Material): THREE.LOD {

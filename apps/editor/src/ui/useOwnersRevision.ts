@@ -1,18 +1,28 @@
 import type { FieldOwner } from '@farol/engine/fields';
-import { useCallback, useSyncExternalStore } from 'react';
+import { useMemo, useSyncExternalStore } from 'react';
 import { useEditor } from './EditorContext';
 
 /** Renders again when a field of a component changes, or when it is switched on or off. @param owners - memoised */
 export function useOwnersRevision(owners: readonly FieldOwner[]): number {
   const { document } = useEditor();
-  const subscribe = useCallback(
-    (listener: () => void) => {
-      const endings = owners.map((owner) => document.ownerSignal(owner).subscribe(listener));
+  const [subscribe, read] = useMemo(() => {
+    const signals = owners.map((owner) => document.ownerSignal(owner));
+    const sum = (): number => signals.reduce((all, { revision }) => all + revision, 0);
+    // kept as a number: an edit of a thousand owners tells a thousand times
+    let revision = sum();
+    let isRead = true;
+    const follow = (listener: () => void): (() => void) => {
+      revision = sum();
+      const endings = signals.map((signal) =>
+        signal.subscribe(() => {
+          revision++;
+          if (isRead) listener();
+          isRead = false;
+        }),
+      );
       return () => endings.forEach((end) => end());
-    },
-    [document, owners],
-  );
-  return useSyncExternalStore(subscribe, () =>
-    owners.reduce((sum, owner) => sum + document.ownerSignal(owner).revision, 0),
-  );
+    };
+    return [follow, () => ((isRead = true), revision)] as const;
+  }, [document, owners]);
+  return useSyncExternalStore(subscribe, read);
 }

@@ -41,8 +41,13 @@ describe('measureTurn', () => {
     for (const ms of frame) expect(ms).toBeCloseTo(1, 1);
     for (const ms of cpu) expect(ms).toBeCloseTo(0.2);
     expect(gpu).toEqual(gpu!.map(() => 1));
-    expect(frame.length).toBeGreaterThanOrEqual(5);
-    expect(frame.length).toBeLessThan(10);
+    expect(frame.length).toBeGreaterThanOrEqual(3);
+    expect(frame.length).toBeLessThan(6);
+  });
+
+  it('has batches so long that the call of their first frame, for which the GPU waits, hardly counts', async () => {
+    const { frame } = await measureTurn(device({ cpu: 2, gpu: 5 }), 900);
+    for (const ms of frame) expect(Math.abs(ms - 5)).toBeLessThan(0.15);
   });
 
   it('is bound by the calls where those take longer', async () => {

@@ -13,8 +13,13 @@ export interface Measured {
   now(): number;
 }
 
-/** Shortest duration of a sample, by several frames if needed (ms): browsers' clocks have steps of 0.1 ms. */
+/** Shortest duration of a sample, of several frames if needed (ms): browsers' clocks have steps of 0.1 ms. */
 const SPAN = 20;
+/**
+ * Duration of a batch of frames on a GPU if the turn is long enough (ms): the GPU idles during the drawing call of a batch's
+ * first frame, which counts less in a longer batch.
+ */
+const GPU_SPAN = 100;
 /** Fewest samples of each kind. */
 const FEWEST = 3;
 /** Frames timed by the GPU between two waits. */
@@ -37,9 +42,10 @@ export async function measureTurn(measured: Measured, ms: number): Promise<Turn>
     await finish();
     length = Math.max(now() - start - wait, 1e-3);
   } while (now() - begin < Math.min(ms / 10, SPAN));
-  const batch = Math.max(1, Math.min(1000, Math.ceil(SPAN / length)));
   const kinds = timer ? 3 : 2;
   const share = ms / kinds;
+  const span = timer ? Math.max(SPAN, Math.min(GPU_SPAN, share / FEWEST)) : SPAN;
+  const batch = Math.max(1, Math.min(1000, Math.ceil(span / length)));
 
   const frame: number[] = [];
   const cpu: number[] = [];

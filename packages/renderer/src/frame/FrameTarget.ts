@@ -89,15 +89,11 @@ export class FrameTarget {
     this.resize();
   }
 
-  /** Sets width and height to those of the viewport. */
+  /** Sets width and height to those of the viewport, whose fractions WebGL cuts off. */
   resize(): void {
-    const { viewport } = this;
-    if (viewport.z < 1 || viewport.w < 1) {
-      this.webgl.getDrawingBufferSize(size);
-      viewport.set(0, 0, size.x, size.y);
-    }
-    this.width = Math.max(1, Math.round(viewport.z));
-    this.height = Math.max(1, Math.round(viewport.w));
+    const { z, w } = this.viewport.roundToZero();
+    this.width = Math.max(1, z);
+    this.height = Math.max(1, w);
   }
 
   /** True if a pass that writes every pixel of the viewport leaves nothing of the target out; it needs depth to lie behind. */

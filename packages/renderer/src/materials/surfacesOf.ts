@@ -28,8 +28,8 @@ const worn = new WeakMap<Material, WornSurfaces>();
 let some = false;
 
 /** Surfaces of a host's material; a material made with another one as its prototype inherits that one's. */
-export function surfacesOf(material: Material): WornSurfaces | undefined {
-  return some ? (worn.get(material) ?? inherited(material)) : undefined;
+export function surfacesOf(material: Material | null): WornSurfaces | undefined {
+  return some && material ? (worn.get(material) ?? inherited(material)) : undefined;
 }
 
 function inherited(material: Material): WornSurfaces | undefined {

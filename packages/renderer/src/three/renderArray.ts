@@ -34,7 +34,7 @@ export function renderArray(
   try {
     cameras.forEach((camera: PerspectiveCamera & { viewport?: Vector4 }, i) => {
       part.copy(camera.viewport ?? oldViewport);
-      if (camera.viewport !== undefined && target === null) part.divideScalar(ratio);
+      if (camera.viewport !== undefined) part.roundToZero().divideScalar(target === null ? ratio : 1);
       if (part.z < 1 || part.w < 1) return;
       // the first camera clears the whole target, the others clear their viewports
       if (i === 0) setRectangles(part, oldScissor, test);

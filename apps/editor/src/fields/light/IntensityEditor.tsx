@@ -51,7 +51,8 @@ interface UnitMenuProps {
 function UnitMenu({ lights, owners, symbol }: UnitMenuProps): ReactNode {
   const editor = useEditor();
   const [light] = lights;
-  const units = unitsFor(light).filter((unit) => lights.every((each) => unitsFor(each).includes(unit)));
+  const [first, ...others] = lights.map(unitsFor);
+  const units = first.filter((unit) => others.every((each) => each.includes(unit)));
   if (units.length < 2) return <span className="unit-alone">{t(symbol)}</span>;
   const current = shownUnit(light);
   const choose = (label: string, values: Record<string, FieldValue>): void =>

@@ -10,7 +10,7 @@ interface FieldGroupProps {
   readonly id: string;
   readonly title: string;
   /** Whether it is folded until the user says otherwise; read once, so that editing folds nothing. */
-  readonly isFoldedAtFirst: boolean;
+  readonly isFoldedAtFirst: () => boolean;
   readonly children: ReactNode;
 }
 

@@ -98,7 +98,7 @@ function inGroups(owners: readonly FieldOwner[], rows: readonly ReactElement[], 
           key={`group ${group}`}
           id={`${owner.ownerName}/${group}`}
           title={group!}
-          isFoldedAtFirst={group === OWN_MATERIAL ? !isMade : owners.every((each) => allAtDefault(each, names))}
+          isFoldedAtFirst={() => (group === OWN_MATERIAL ? !isMade : owners.every((each) => allAtDefault(each, names)))}
         >
           {grouped}
         </FieldGroup>

@@ -24,6 +24,14 @@ it('finds fields of the scene, and shows one in the inspector in place of the se
   expect(editor.document.selection.ids).toEqual([]);
   expect(fieldSearchOf(editor).text).toBe('Tone mapping');
   expect(opened).toEqual(['inspector']);
+  // another selection has no such field; what the user types stays over selections, up to another scene
+  editor.document.selection.set([object.id]);
+  expect(fieldSearchOf(editor).text).toBe('');
+  fieldSearchOf(editor).text = 'position';
+  editor.document.selection.clear();
+  expect(fieldSearchOf(editor).text).toBe('position');
+  editor.document.opened.emit();
+  expect(fieldSearchOf(editor).text).toBe('');
 });
 
 it('finds the fields that the inspector shows of the selection, by their help too, and components to add', () => {

@@ -28,7 +28,8 @@ export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean):
 function hasLit(object: Object3D): boolean {
   if (--looks < 0) return true;
   const { material } = object as Partial<Mesh>;
-  if (material !== undefined && (Array.isArray(material) ? material.some(isLit) : isLit(material))) return true;
+  if (material !== undefined && (Array.isArray(material) ? material.some((one) => one && isLit(one)) : isLit(material)))
+    return true;
   const { children } = object;
   for (let i = 0; i < children.length; i++) if (hasLit(children[i])) return true;
   return false;

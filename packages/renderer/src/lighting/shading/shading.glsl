@@ -115,35 +115,34 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
   if (!farol_lightIsPlain(emission)) {
     vec4 details = farol_lightDetails(record);
     FAROL_SKIP_AREA(details)
+    bool isMaskedPoint = false;
 #ifdef FAROL_POINT_MASKS
-    if (farol_lightIsMaskedPoint(details)) {
-      if (dot(s.normalVS, direction) <= 0.0) return;
-      color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), true, toLight, FAROL_LOOKUP_OF(s));
-      farol_addLight(s, direction, color, color);
-      return;
-    }
+    isMaskedPoint = farol_lightIsMaskedPoint(details);
 #endif
-    int extension = farol_lightExtensionRecord(details);
-    vec3 ambient = vec3(0.0);
-    if (extension > 0) {
-      attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), range, decay);
-      vec3 diffuseScale = farol_extensionDiffuse(extension);
-      // diffuse and specular sums share one colour, but may be scaled differently
-      specularScale = farol_extensionSpecular(extension) / max(diffuseScale, 1e-6);
-      color *= max(diffuseScale, 1e-6);
-      ambient = farol_extensionAmbient(extension);
+    if (!isMaskedPoint) {
+      int extension = farol_lightExtensionRecord(details);
+      vec3 ambient = vec3(0.0);
+      if (extension > 0) {
+        attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), range, decay);
+        vec3 diffuseScale = farol_extensionDiffuse(extension);
+        // diffuse and specular sums share one colour, but may be scaled differently
+        specularScale = farol_extensionSpecular(extension) / max(diffuseScale, 1e-6);
+        color *= max(diffuseScale, 1e-6);
+        ambient = farol_extensionAmbient(extension);
+      }
+      if (farol_lightIsSpot(details)) {
+        vec4 cone = farol_lightCone(record);
+        attenuation *= farol_angularAttenuation(dot(direction, farol_lightAxis(cone)), farol_lightCutoff(cone),
+          farol_lightPenumbra(details), farol_lightExponent(details));
+      }
+      if (attenuation <= 0.0) return;
+      s.diffuse += ambient * attenuation;
     }
-    if (farol_lightIsSpot(details)) {
-      vec4 cone = farol_lightCone(record);
-      attenuation *= farol_angularAttenuation(dot(direction, farol_lightAxis(cone)), farol_lightCutoff(cone),
-        farol_lightPenumbra(details), farol_lightExponent(details));
-    }
-    if (attenuation <= 0.0) return;
-    s.diffuse += ambient * attenuation;
     if (dot(s.normalVS, direction) <= 0.0) return;
-#ifdef FAROL_BOUNDED_MASKS
-    if (farol_lightIsMasked(details) && !isLit) {
-      color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), false, toLight, FAROL_LOOKUP_OF(s));
+#if defined( FAROL_BOUNDED_MASKS ) || defined( FAROL_POINT_MASKS )
+    // one call in the text: compilers copy the mask's code to each
+    if (isMaskedPoint || (farol_lightIsMasked(details) && !isLit)) {
+      color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), isMaskedPoint, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color, color * specularScale);
       return;
     }

@@ -38,8 +38,8 @@ function boxOf(geometry: BufferGeometry): Box3 | null {
  * Greatest displacement of vertices by a material's shaders (m, in the object's own space); Infinity if the material
  * does not declare one.
  */
-function reachOf(material: Material): number {
-  return (material as MeshStandardMaterial).displacementMap ? Infinity : (surfacesOf(material)?.reach() ?? 0);
+function reachOf(material: Material | null): number {
+  return (material as MeshStandardMaterial | null)?.displacementMap ? Infinity : (surfacesOf(material)?.reach() ?? 0);
 }
 
 /**

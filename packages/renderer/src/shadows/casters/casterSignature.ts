@@ -102,7 +102,7 @@ export function casterSignature(object: Object3D): number {
   mixGeometry(geometry);
   if (Array.isArray(material)) {
     mixGroups(geometry);
-    for (const one of material) mixMaterial(one as CasterMaterial, geometry);
+    for (const one of material) if (one) mixMaterial(one as CasterMaterial, geometry);
   } else mixMaterial(material as CasterMaterial, geometry);
   mix(object.layers.mask);
   if (caster.isInstancedMesh) {
@@ -134,6 +134,7 @@ export function isAnimatedCaster(object: Object3D): boolean {
   return Array.isArray(material) ? material.some(isAnimatedMaterial) : isAnimatedMaterial(material);
 }
 
-function isAnimatedMaterial(material: Material): boolean {
-  return material.clipShadows && material.clippingPlanes !== null && material.clippingPlanes.length > 0;
+/** @param material - null for a group without one, which three does not draw */
+function isAnimatedMaterial(material: Material | null): boolean {
+  return material?.clipShadows === true && material.clippingPlanes !== null && material.clippingPlanes.length > 0;
 }

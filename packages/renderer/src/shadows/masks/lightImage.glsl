@@ -36,19 +36,17 @@ vec3 farol_imageLevel(const in FarolImage image, const in vec2 uv, const in int 
 
 // colour of an image; level: mipmap level by a texture's derivatives; filtering: see slots/imageFilter.ts
 vec3 farol_imageAt(const in FarolImage image, const in vec2 uv, const in float level, const in int filtering) {
-  bool minifiesNearest = (filtering & 2) != 0;
+  bool nearest = (filtering & 2) != 0;
   float magnified = (filtering & 15) == 6 || (filtering & 15) == 10 ? 0.5 : 0.0;
-  if (level <= magnified) return farol_imageLevel(image, uv, 0, (filtering & 1) != 0);
   int last = filtering >> 4 & 15;
-  if ((filtering & 8) == 0) {
-    int nearestLevel = (filtering & 4) == 0 ? 0 : min(int(ceil(level + 0.5)) - 1, last);
-    return farol_imageLevel(image, uv, nearestLevel, minifiesNearest);
-  }
-  float between = min(level, float(last));
+  float between = 0.0;
+  if (level <= magnified) nearest = (filtering & 1) != 0;
+  else if ((filtering & 8) != 0) between = min(level, float(last));
+  else if ((filtering & 4) != 0) between = float(min(int(ceil(level + 0.5)) - 1, last));
   int lower = int(between);
-  vec3 color = farol_imageLevel(image, uv, lower, minifiesNearest);
-  if (lower == last) return color;
-  return mix(color, farol_imageLevel(image, uv, lower + 1, minifiesNearest), between - float(lower));
+  vec3 color = farol_imageLevel(image, uv, lower, nearest);
+  if (between == float(lower)) return color;
+  return mix(color, farol_imageLevel(image, uv, lower + 1, nearest), between - float(lower));
 }
 
 // Places in a light's map (0..1) of three pixels of a quad, of which GPUs take one level for all four: the first, that
@@ -128,68 +126,74 @@ FarolQuad farol_quadOf(const in int record, const in mat4 matrix, const in vec4 
     farol_placeBeside(matrix, coord, first + vec2(0.0, 1.0), span, positionVS, planeVS));
 }
 
-// colour of an image's copy, filtered over a pixel; coord: place in the image (homogeneous, 0..1)
-vec3 farol_imageCopy(const in int record, const in FarolImage image, const in mat4 matrix, const in vec4 coord,
+// colour of a texture itself, or of an image's copy, filtered over a pixel; coord: place in it (homogeneous, 0..1)
+vec3 farol_imageOn(const in int record, const in FarolImage image, const in mat4 matrix, const in vec4 coord,
   const in vec3 positionVS, const in vec3 normalVS) {
   int filtering = farol_maskCookieFilter(record);
   vec2 place = coord.xy / coord.w;
+  float level = -1.0;
+  vec2 along = vec2(0.0);
+  int samples = 1;
   // filter codes that do not differ between magnified and minified images
-  if ((filtering & 255) == 0 || (filtering & 255) == 3)
-    return farol_imageLevel(image, place, 0, (filtering & 1) != 0);
-  FarolQuad quad = farol_quadOf(record, matrix, coord, positionVS, normalVS);
-  vec2 right = quad.beside - quad.first;
-  vec2 up = quad.above - quad.first;
-  vec2 size = image.region.zw;
-  vec2 texels = vec2(length(right * size), length(up * size));
-  float longer = max(texels.x, texels.y);
-  int most = filtering >> 8;
-  if (most < 2) return farol_imageAt(image, place, log2(longer), filtering);
-  vec2 along = texels.x > texels.y ? right : up;
-  float area = abs(right.x * up.y - right.y * up.x) * size.x * size.y;
-  float ratio = clamp(longer * longer / max(area, 1e-9), 1.0, float(most));
-  int samples = int(ratio + 0.5);
+  if ((filtering & 255) != 0 && (filtering & 255) != 3) {
+    FarolQuad quad = farol_quadOf(record, matrix, coord, positionVS, normalVS);
+    vec2 right = quad.beside - quad.first;
+    vec2 up = quad.above - quad.first;
+    if (filtering < 0) return farol_imageTexel(-filtering - 1, place, right, up);
+    vec2 size = image.region.zw;
+    vec2 texels = vec2(length(right * size), length(up * size));
+    float longer = max(texels.x, texels.y);
+    float ratio = 1.0;
+    int most = filtering >> 8;
+    if (most >= 2) {
+      along = texels.x > texels.y ? right : up;
+      float area = abs(right.x * up.y - right.y * up.x) * size.x * size.y;
+      ratio = clamp(longer * longer / max(area, 1e-9), 1.0, float(most));
+      samples = int(ratio + 0.5);
+    }
+    level = log2(longer / ratio);
+  }
   vec3 sum = vec3(0.0);
   for (int i = 0; i < samples; i++) {
     vec2 uv = place + along * ((float(i) + 0.5) / float(samples) - 0.5);
-    sum += farol_imageAt(image, clamp(uv, 0.0, 1.0), log2(longer / ratio), filtering);
+    sum += farol_imageAt(image, clamp(uv, 0.0, 1.0), level, filtering);
   }
   return sum / float(samples);
 }
 
-// colour of a spot light's image at a surface; coord: place in the map (homogeneous, 0..1); white beside the image
-vec3 farol_imageOn(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
-  vec3 across = coord.xyz / coord.w;
-  if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
-  int filtering = farol_maskCookieFilter(record);
-  mat4 matrix = farol_maskMatrix(record);
-  if (filtering < 0) {
-    FarolQuad corners = farol_quadOf(record, matrix, coord, positionVS, normalVS);
-    return farol_imageTexel(-filtering - 1, across.xy, corners.beside - corners.first, corners.above - corners.first);
+// Colour of a light's image at a surface; white beside the image. The image of a cube is the face that is met.
+// coord: place in the light's map (homogeneous, 0..1), or of a cube from the light to the surface (world axes)
+// axes: from view space to world axes
+vec3 farol_cookieAt(const in int record, const in vec4 coord, const in bool isCube, const in mat3 axes,
+  const in vec3 positionVS, const in vec3 normalVS) {
+  FarolImage image = FarolImage(farol_maskCookie(record), ivec2(1), ivec2(0));
+  mat4 matrix;
+  vec4 place = coord;
+  if (isCube) {
+    vec3 size = abs(coord.xyz);
+    vec3 side = vec3(coord.x < 0.0 ? -1.0 : 1.0, coord.y < 0.0 ? -1.0 : 1.0, coord.z < 0.0 ? -1.0 : 1.0);
+    // axes of the face, as farol_cubeFace in lightShadow has them: right, up, away
+    mat3 face = mat3(-side.z, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, side.z);
+    float index = 4.5 - 0.5 * side.z;
+    if (size.x >= size.y && size.x >= size.z) {
+      face = mat3(0.0, 0.0, side.x, 0.0, 1.0, 0.0, side.x, 0.0, 0.0);
+      index = 0.5 - 0.5 * side.x;
+    } else if (size.y >= size.z) {
+      face = mat3(side.y, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, side.y, 0.0);
+      index = 2.5 - 0.5 * side.y;
+    }
+    vec3 away = face[2];
+    matrix = transpose(mat4(vec4(0.5 * (face[0] + away), 0.0), vec4(0.5 * (face[1] + away), 0.0), vec4(0.0),
+      vec4(away, 0.0)));
+    place = matrix * vec4(coord.xyz, 0.0);
+    matrix *= mat4(axes);
+    int cell = int(index);
+    image.faces = ivec2(3, 2);
+    image.face = ivec2(cell % 3, cell / 3);
+  } else {
+    if (any(greaterThanEqual(abs(coord.xyz / coord.w * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
+    matrix = farol_maskMatrix(record);
   }
-  return farol_imageCopy(record, FarolImage(farol_maskCookie(record), ivec2(1), ivec2(0)), matrix, coord, positionVS,
-    normalVS);
-}
-
-// colour of a point light's cube; fromLight: to the surface (world axes); axes: from view space to world axes
-vec3 farol_cubeImageOn(const in int record, const in vec3 fromLight, const in mat3 axes, const in vec3 positionVS,
-  const in vec3 normalVS) {
-  vec3 size = abs(fromLight);
-  vec3 side = vec3(fromLight.x < 0.0 ? -1.0 : 1.0, fromLight.y < 0.0 ? -1.0 : 1.0, fromLight.z < 0.0 ? -1.0 : 1.0);
-  // axes of the face that is met, as farol_cubeFace in lightShadow has them: right, up, away
-  mat3 face = mat3(-side.z, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, side.z);
-  float index = 4.5 - 0.5 * side.z;
-  if (size.x >= size.y && size.x >= size.z) {
-    face = mat3(0.0, 0.0, side.x, 0.0, 1.0, 0.0, side.x, 0.0, 0.0);
-    index = 0.5 - 0.5 * side.x;
-  } else if (size.y >= size.z) {
-    face = mat3(side.y, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, side.y, 0.0);
-    index = 2.5 - 0.5 * side.y;
-  }
-  vec3 away = face[2];
-  mat4 matrix = transpose(mat4(vec4(0.5 * (face[0] + away), 0.0), vec4(0.5 * (face[1] + away), 0.0), vec4(0.0),
-    vec4(away, 0.0)));
-  int cell = int(index);
-  return farol_imageCopy(record, FarolImage(farol_maskCookie(record), ivec2(3, 2), ivec2(cell % 3, cell / 3)),
-    matrix * mat4(axes), matrix * vec4(fromLight, 0.0), positionVS, normalVS);
+  return farol_imageOn(record, image, matrix, place, positionVS, normalVS);
 }
 #endif

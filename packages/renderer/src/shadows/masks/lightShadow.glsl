@@ -342,15 +342,6 @@ float farol_lightLit(const in int record, const in vec3 positionVS, const in vec
   return farol_filteredAt(record, mask, false, coord, shadowNormalVS);
 }
 
-#ifdef FAROL_LIGHT_COOKIES
-// colour of a light's image at a surface; coord as farol_maskCoord gives it
-vec3 farol_cookieAt(const in int record, const in vec4 coord, const in int shape, const in vec3 positionVS,
-  const in vec3 normalVS) {
-  if (shape == FAROL_COOKIE_MAP) return farol_imageOn(record, coord, positionVS, normalVS);
-  return farol_cubeImageOn(record, coord.xyz, farol_worldAxes, positionVS, normalVS);
-}
-#endif
-
 #ifdef FAROL_LIGHT_PROFILES
 // factor of a light's intensity in the direction of a surface, by its photometric profile
 float farol_profileAt(const in int record, const in vec3 toLight) {
@@ -382,7 +373,9 @@ vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 t
   vec4 coord = farol_maskCoord(record, mask, isPoint, toLight, positionVS, shadowNormalVS);
   vec3 passed = vec3(1.0);
 #ifdef FAROL_LIGHT_COOKIES
-  if (mask.cookie != FAROL_COOKIE_NONE) passed = farol_cookieAt(record, coord, mask.cookie, positionVS, shadowNormalVS);
+  bool isCube = mask.cookie != FAROL_COOKIE_MAP;
+  if (mask.cookie != FAROL_COOKIE_NONE)
+    passed = farol_cookieAt(record, coord, isCube, farol_worldAxes, positionVS, shadowNormalVS);
 #endif
 #ifdef FAROL_LIGHT_PROFILES
   if (mask.hasProfile) passed *= farol_profileAt(record, toLight);

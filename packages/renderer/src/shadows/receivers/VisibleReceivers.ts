@@ -228,7 +228,7 @@ function setCube(x: number, y: number, z: number, radius: number): void {
 function isBent(object: Object3D): boolean {
   const { material } = object as Mesh;
   if (!Array.isArray(material)) return bends(material);
-  for (let i = 0; i < material.length; i++) if (bends(material[i])) return true;
+  for (let i = 0; i < material.length; i++) if (material[i] && bends(material[i])) return true;
   return false;
 }
 
