@@ -81,8 +81,6 @@ function linkModules(worktree) {
       if (statSync(folder).isDirectory()) link(folder, join(to, own, name));
     }
   }
-  const sponza = 'public/models/Sponza'; // not in git, and the scene that is compared
-  if (existsSync(join(root, sponza))) link(join(root, sponza), join(worktree, sponza));
 }
 
 /** @param {string} target - a folder @param {string} path */

@@ -13,7 +13,6 @@ import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/scenes';
 import { type FarolOptions, FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
-import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
 import { setDemoParticles } from './demoParticles';
 import { setDemoRectangles } from './demoRectangles';
@@ -181,7 +180,8 @@ export class Viewer {
    */
   async loadScene(name: string, parameters: Record<string, FieldValue> = {}, keepCamera = false): Promise<void> {
     const load = ++this.loads;
-    const scene = await buildScene(name, parameters, this.assets, this.three);
+    if (!Object.hasOwn(scenes, name)) throw new Error(`it is unknown: known are ${Object.keys(scenes).join(', ')}.`);
+    const scene = await scenes[name].build(parameters, this.assets);
     if (load !== this.loads) return scene.dispose();
     this.replaceScene(scene, keepCamera);
     this.dropModel();
