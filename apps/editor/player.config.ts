@@ -2,7 +2,6 @@ import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { contentSecurityPolicy, policyElement } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
-import { stanfordDragonFile } from '@farol/tools/stanfordDragon';
 import { build, type Plugin, type ViteDevServer } from 'vite';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
@@ -101,19 +100,16 @@ async function buildScript(entry: string, name: string, fromSource: boolean, plu
   return script.code;
 }
 
-const DRAGON = 'dragon.ply.gz';
-
 /**
- * The page for embedded frames, with the URL of the Stanford dragon when it is part of the build.
+ * The page for embedded frames.
  * @param runsScripts - builds the page for scenes with scripts from links, which is shown in a sandboxed frame
  */
-async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<string> {
+async function playerPage(runsScripts: boolean): Promise<string> {
   const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
   const script = runsScripts ? 'farol-player-scripts.js' : 'farol-player.js';
-  const page = text
+  return text
     .replace('<head>', `$&\n    ${policyElement(contentSecurityPolicy({ runsScripts }))}`)
     .replace('./farol-player.js', `./${script}`);
-  return hasDragon ? page.replace(`src="./${script}"`, `$& data-dragon="./${DRAGON}"`) : page;
 }
 
 /** The page that follows an editor, see `src/player/live/main.ts`; of the development server alone. */
@@ -133,9 +129,8 @@ async function livePage(server: ViteDevServer): Promise<string> {
  * `player-scripts.html` are the pages of embedded frames.
  */
 export function playerPlugin(): Plugin {
-  const scripts = new Map<string, Promise<string | Uint8Array>>();
-  const filesOf = (command: 'serve' | 'build'): Readonly<Record<string, () => Promise<string | Uint8Array>>> => {
-    const dragon = stanfordDragonFile('medium', command);
+  const scripts = new Map<string, Promise<string>>();
+  const filesOf = (command: 'serve' | 'build'): Readonly<Record<string, () => Promise<string>>> => {
     const fromSource = command === 'serve';
     return {
       'farol-player.js': () => buildPlayer(fromSource),
@@ -146,12 +141,11 @@ export function playerPlugin(): Plugin {
       'farol-player-scripts-decoders.js': () => buildPlayer(fromSource, { scripts: true, decoders: true }),
       'farol-script-compiler.js': () => buildScript('src/player/compiler.ts', 'FarolCompiler', fromSource, []),
       'farol-player-physics.js': () => buildScript('src/player/physics.ts', 'FarolPhysics', fromSource, []),
-      'player.html': () => playerPage(dragon !== null, false),
-      'player-scripts.html': () => playerPage(dragon !== null, true),
-      ...(dragon ? { [DRAGON]: () => readFile(dragon) } : {}),
+      'player.html': () => playerPage(false),
+      'player-scripts.html': () => playerPage(true),
     };
   };
-  const types: Readonly<Record<string, string>> = { js: 'text/javascript', html: 'text/html', gz: 'application/gzip' };
+  const types: Readonly<Record<string, string>> = { js: 'text/javascript', html: 'text/html' };
   return {
     name: 'farol-player',
     configureServer(server) {

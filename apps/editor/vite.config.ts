@@ -4,7 +4,6 @@ import { offlineApp } from '@farol/tools/offlineApp';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { scriptDeclarations } from '@farol/tools/scriptDeclarations';
 import { sourceConditions } from '@farol/tools/sourceConditions';
-import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { wholeThree } from '@farol/tools/wholeThree';
 import { defineConfig } from 'vite';
 import { playerPlugin } from './player.config.ts';
@@ -42,12 +41,10 @@ function resolveDependencies(
 export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
-  assetsInclude: ['**/*.ply.gz'],
   plugins: [
     react(),
     wholeThree(),
     playerPlugin(),
-    stanfordDragon(),
     scriptDeclarations(),
     securePages({ runsScripts: true }),
     appAddresses(),

@@ -4,7 +4,6 @@ import { labBuild } from '@farol/tools/labBuild';
 import { runInfo } from '@farol/tools/runInfo';
 import { rivals } from '@farol/tools/rivalsPlugin';
 import { sourceConditions } from '@farol/tools/sourceConditions';
-import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { valueModules } from '@farol/tools/valueModules';
 import { defineConfig } from 'vite';
 
@@ -12,9 +11,7 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: false,
   define: labBuild(),
-  assetsInclude: ['**/*.ply.gz'],
   plugins: [
-    stanfordDragon(),
     runInfo(),
     securePages(),
     rivals(),

@@ -1,28 +1,13 @@
-import { existsSync, readdirSync } from 'node:fs';
 import { appAddresses } from '@farol/tools/appAddresses';
 import { offlineApp } from '@farol/tools/offlineApp';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
-import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
-
-/** Address of the real Sponza if its glTF is in public/models/Sponza (ignored by git), otherwise null. */
-function sponzaUrl(): string | null {
-  const folder = new URL('../../public/models/Sponza/', import.meta.url);
-  if (!existsSync(folder)) return null;
-  const names = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) =>
-    /\.(gltf|glb)$/i.test(name),
-  );
-  const [shortest] = names.sort((a, b) => a.length - b.length);
-  return shortest === undefined ? null : `./models/Sponza/${encodeURI(shortest.replaceAll('\\', '/'))}`;
-}
 
 export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
-  assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), securePages(), appAddresses(), offlineApp({ name: 'Farol viewer' })],
-  define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
+  plugins: [securePages(), appAddresses(), offlineApp({ name: 'Farol viewer' })],
   resolve: {
     dedupe: ['three'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),

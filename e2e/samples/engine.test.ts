@@ -18,6 +18,7 @@ import {
   effectFields,
   GameObject,
   Grabbable,
+  importModel,
   Model,
   ModelRenderer,
   modelBelow,
@@ -122,6 +123,9 @@ test('objects and models', () => {
   scene.add(robot);
   expect(modelBelow(robot, model)?.drawnModel).toBe(model);
   expect(modelsBelow(robot, model).length).toBe(1);
+
+  const parts = importModel(model, assets, 'robot');
+  expect(parts.children.length).toBe(1);
 });
 
 test('clips', () => {

@@ -60,15 +60,6 @@ test('the number of lights follows the address @verify', async ({ page }) => {
   }
 });
 
-test('the resolution of the dragon follows the address @verify', async ({ page }) => {
-  const triangles: number[] = [];
-  for (const dragon of ['low', 'medium']) {
-    await openViewer(page, { ...still, scene: 'dragons', lights: 1, dragon });
-    triangles.push(await page.evaluate(() => window.viewer.engineScene.assets.mesh('dragon').index!.count / 3));
-  }
-  expect(triangles).toEqual([11_102, 47_794]);
-});
-
 test('without a size the picture fills the window and follows it', async ({ page }) => {
   await openViewer(page, { scene: 'benchmarkLights', time: 0, gui: 0 });
   expect(await page.locator('canvas').boundingBox()).toMatchObject({ width: 640, height: 360 });

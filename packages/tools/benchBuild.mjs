@@ -12,8 +12,6 @@ import { root } from './root.mjs';
  * @returns {Promise<string>} folder of the built Lab
  */
 export async function buildLab(checkout, isStageAlone = false) {
-  // the figures are of the dragon that others measure with
-  process.env.FAROL_STANFORD_DRAGON ??= '1';
   const { build } = await import('vite');
   const stage = join(checkout, 'apps/lab/stage.html');
   const alone = { name: 'stage-alone', options: (/** @type {object} */ all) => ({ ...all, input: stage }) };
@@ -83,8 +81,6 @@ function linkModules(worktree) {
       if (statSync(folder).isDirectory()) link(folder, join(to, own, name));
     }
   }
-  const sponza = 'public/models/Sponza'; // not in git, and the scene that is compared
-  if (existsSync(join(root, sponza))) link(join(root, sponza), join(worktree, sponza));
 }
 
 /** @param {string} target - a folder @param {string} path */

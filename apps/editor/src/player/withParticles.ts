@@ -15,7 +15,6 @@ export function playWithParticles(): Promise<void> {
   const url = new URL(ownScript?.src ?? document.baseURI);
   url.pathname = url.pathname.replace(/[^/]*$/, 'farol-player-particles.js');
   script.src = url.href;
-  Object.assign(script.dataset, ownScript?.dataset);
   document.body.append(script);
   return new Promise((resolve, reject) => {
     script.addEventListener('load', () => resolve((globalThis as unknown as PlayerGlobal).FarolPlayer.ready));

@@ -37,7 +37,7 @@ const chosen: Readonly<Record<string, CompetitorMark>> = {
 
 /** Marks for techniques without a hand-picked one, used in turn. */
 const spare: readonly CompetitorMark[] = [
-  mark('#8c5a00', '#e0a850', 'star', true),
+  mark('#8c5a00', '#e0a850', 'plus', true),
   mark('#00708a', '#55c2dd', 'wye', true),
   mark('#9a4d86', '#e39bd0', 'cross', true),
 ];

@@ -10,18 +10,17 @@ import { deviceLimits, webglProblem } from './deviceLimits';
 import { loseContext } from './loseContext';
 import { OpenCompetitor } from './OpenCompetitor';
 import type { Opened, Stage, Turn } from './Stage';
-import { StageScenes, type StageScenesOptions } from './StageScenes';
+import { StageScenes } from './StageScenes';
 import { webgpuName } from './webgpuName';
 
 /** The stage of one frame: open competitors, each with a canvas outside of the document. */
 export class LabStage implements Stage {
-  private readonly scenes: StageScenes;
+  private readonly scenes = new StageScenes();
   private readonly competitors = new Map<string, OpenCompetitor>();
   private readonly counters: Counters;
   private isWarm = false;
 
-  constructor(options: StageScenesOptions = {}) {
-    this.scenes = new StageScenes(options);
+  constructor() {
     installCounters();
     this.counters = (window as unknown as { farolCounters: Counters }).farolCounters;
   }

@@ -13,23 +13,20 @@ import { type StageTemplate, takeApart } from './StageTemplate';
 export type OwnedScene = StageScene & { dispose(): void };
 
 export interface StageScenesOptions {
-  /** Address of a mesh that replaces the dragon made in code; null for none. */
-  readonly dragon?: string | null;
   /** Makes the renderer by whose device compressed textures of `own` are decoded; null for none. Default a new one. */
   readonly makeRenderer?: () => WebGLRenderer | null;
 }
 
 /** Makes the scenes of cases. Meshes and textures are shared, and the template of the last case is kept. */
 export class StageScenes {
-  private readonly assets: AssetLibrary;
+  private readonly assets = new AssetLibrary();
   private ownFile: Uint8Array | null = null;
   private last: { readonly key: string; readonly template: Promise<StageTemplate> } | null = null;
 
   private readonly makeRenderer: () => WebGLRenderer | null;
 
-  constructor({ dragon = null, makeRenderer = makeOwnRenderer }: StageScenesOptions = {}) {
+  constructor({ makeRenderer = makeOwnRenderer }: StageScenesOptions = {}) {
     this.makeRenderer = makeRenderer;
-    this.assets = new AssetLibrary(dragon === null ? {} : { urls: { dragon } });
   }
 
   /** Sets the scene `own`: bytes of a scene file of the engine. */

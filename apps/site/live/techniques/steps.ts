@@ -25,7 +25,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { type Step, techniqueSteps } from './steps/techniqueSteps';
+import { type Step, stepsOf } from './steps/techniqueSteps';
 
 const technique = (new URLSearchParams(location.search).get('technique') ?? 'auto') as TechniqueName;
 const language = document.documentElement.lang === 'es' ? 1 : 0;
@@ -112,7 +112,7 @@ if (technique === 'auto') {
   shine(12);
   panel.append(slider, help);
 } else {
-  const steps = techniqueSteps[technique];
+  const steps = stepsOf(technique);
   const buttons = steps.map((step) => {
     const button = document.createElement('button');
     button.textContent = step.name[language];

@@ -31,7 +31,6 @@ const shared: Texts = {
   Particles: 'Partículas',
   'Measure this scene': 'Medir esta escena',
   Language: 'Idioma',
-  Dragon: 'Dragón',
   Models: 'Modelos',
   Lights: 'Luces',
   Seed: 'Semilla',
@@ -124,7 +123,7 @@ const shared: Texts = {
   'A dragon, a sphere and a cylinder in a room with all three kinds of lights.':
     'Un dragón, una esfera y un cilindro en una habitación con las tres clases de luces.',
   Dragons: 'Dragones',
-  'Four Stanford dragons among coloured lights.': 'Cuatro dragones de Stanford entre luces de colores.',
+  'Four dragons among coloured lights.': 'Cuatro dragones entre luces de colores.',
   'Planes and lights': 'Planos y luces',
   'N × N planes with M × M moving lights above them, or grids that are no squares.':
     'N × N planos con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
@@ -186,8 +185,6 @@ export const es: Texts = {
   'Keys and address parameters (?)': 'Teclas y parámetros de la dirección (?)',
   'Bytes of surfaces and shadows: {names}; auto is lite on phones and weak devices.':
     'Bytes de superficies y sombras: {names}; auto es lite en teléfonos y equipos modestos.',
-  'Resolution of the Stanford dragon, where it is installed: {names}.':
-    'Resolución del dragón de Stanford, donde está instalado: {names}.',
   'Anti-aliasing: {names}. TAA gathers over frames: at a fixed time each draw is one.':
     'Antialiasing: {names}. TAA acumula fotogramas: con un tiempo fijo, cada dibujo es uno.',
   '1 or 0.': '1 o 0.',

@@ -11,8 +11,6 @@ export interface ViewerState {
   quality: string;
   /** Values of scene parameters, such as lights, n, m and seed; those of other scenes are kept unused. */
   parameters: Record<string, FieldValue>;
-  /** Resolution of the Stanford dragon in scenes that have one. */
-  dragon: string;
   /** Key of an anti-aliasing effect of the renderer's `effects`, or 'none'. */
   aa: string;
   /** Given switches and numbers of effects that smooth no edges, by their names in `KnownNames.effects`. */
@@ -41,7 +39,6 @@ export interface KnownNames {
   techniques: readonly string[];
   views: readonly string[];
   qualities: readonly string[];
-  dragons: readonly string[];
   antialiasing: readonly string[];
   budgets: readonly string[];
   /** Switches and numbers of the other effects, by their names in addresses. */

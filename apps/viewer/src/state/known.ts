@@ -1,6 +1,5 @@
 import { techniques, views } from '@farol/renderer';
 import { scenes } from '@farol/scenes';
-import { dragonUrls } from '../dragonUrls';
 import { antialiasingNames, effectParameters } from './effectParameters';
 import type { KnownNames } from './ViewerState';
 
@@ -10,12 +9,11 @@ export const known: KnownNames = {
   techniques: Object.keys(techniques),
   views,
   qualities: ['auto', 'full', 'lite'],
-  dragons: Object.keys(dragonUrls),
   antialiasing: antialiasingNames,
   budgets: ['auto', 'on', 'off'],
   effects: effectParameters,
   defaults: {
-    ...{ scene: 'temple', technique: 'auto', view: 'final', parameters: {}, dragon: 'medium', aa: 'none' },
+    ...{ scene: 'temple', technique: 'auto', view: 'final', parameters: {}, aa: 'none' },
     ...{ effects: {}, quality: 'auto', decals: false, particles: 0, rectangles: 0 },
     ...{ time: null, width: null, height: null, dpr: null, budget: 'auto', gui: true },
   },

@@ -27,7 +27,6 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     technique: (text) => void (state.technique = oneOf(text, known.techniques)),
     view: (text) => void (state.view = oneOf(text, known.views)),
     quality: (text) => void (state.quality = oneOf(text, known.qualities)),
-    dragon: (text) => void (state.dragon = oneOf(text, known.dragons)),
     aa: (text) => void (state.aa = oneOf(text, known.antialiasing)),
     decals: (text) => void (state.decals = boolean(text)),
     particles: (text) => void (state.particles = number(text, { min: 0, max: MOST_PARTICLES, integer: true })),

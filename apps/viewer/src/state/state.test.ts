@@ -26,7 +26,6 @@ const known: KnownNames = {
   techniques: ['auto', 'forward', 'deferred'],
   views: ['final', 'albedo'],
   qualities: ['auto', 'full', 'lite'],
-  dragons: ['low', 'high'],
   antialiasing: ['none', 'smaa', 'edges', 'taa'],
   budgets: ['auto', 'on', 'off'],
   effects: {
@@ -41,7 +40,6 @@ const known: KnownNames = {
       view: 'final',
       quality: 'auto',
       parameters: {},
-      dragon: 'low',
       aa: 'none',
       effects: {},
       decals: false,
@@ -59,11 +57,11 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&quality=lite&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&reach=2&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&budget=on&gui=0';
+      '?scene=planes&technique=auto&view=albedo&quality=lite&n=7&mesh=dragon&aa=taa&ao=1&reach=2&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&budget=on&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
-      ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' }, dragon: 'high' },
+      ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' } },
       ...{
         quality: 'lite',
         aa: 'taa',
@@ -91,7 +89,6 @@ describe('readState', () => {
     ['particles=-1', /particles=-1 .* whole number from 0 to 200000/],
     ['rectangles=1.5', /rectangles=1.5 .* whole number from 0 to 20000/],
     ['dpr=', /dpr= .* number from 0.1 to 8/],
-    ['dragon=huge', /dragon=huge .* low, high/],
     ['aa=msaa', /aa=msaa .* none, smaa, edges, taa/],
     ['ao=yes', /ao=yes .* 1 or 0/],
     ['reach=5', /reach=5 .* from 0 to 4/],
@@ -156,7 +153,7 @@ describe('readState', () => {
 
 describe('writeState', () => {
   const state: ViewerState = {
-    ...{ scene: 'planes', technique: 'forward', view: 'albedo', quality: 'full', dragon: 'high', aa: 'smaa' },
+    ...{ scene: 'planes', technique: 'forward', view: 'albedo', quality: 'full', aa: 'smaa' },
     effects: { ao: true, reach: 0.25, oit: true },
     ...{ decals: true, particles: 500, rectangles: 30, parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
     ...{ time: 0, width: 320, height: 180, dpr: 1.5, budget: 'off', gui: false },

@@ -21,7 +21,6 @@ export function writeState(state: ViewerState, { scenes, effects, defaults }: Kn
   }
   for (const name of [
     'quality',
-    'dragon',
     'aa',
     'particles',
     'rectangles',

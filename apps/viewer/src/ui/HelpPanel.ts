@@ -71,7 +71,6 @@ export function addressHelp({
   techniques,
   views,
   qualities,
-  dragons,
   antialiasing,
   effects,
 }: KnownNames): [string, string][] {
@@ -96,7 +95,6 @@ export function addressHelp({
     ...[...parameters].map(([name, { help, range, scenes: of }]): [string, string] => {
       return [name, `${t(help)} ${range}(${of.join(', ')})`];
     }),
-    ['dragon', t('Resolution of the Stanford dragon, where it is installed: {names}.', { names: dragons.join(', ') })],
     [
       'aa',
       t('Anti-aliasing: {names}. TAA gathers over frames: at a fixed time each draw is one.', {

@@ -45,7 +45,6 @@ export class ViewerMenu {
     decals: boolean;
     particles: number;
     rectangles: number;
-    dragon: string;
     stopped: boolean;
   };
   private readonly effectValues: Record<string, unknown> = {};
@@ -62,8 +61,8 @@ export class ViewerMenu {
     onLanguage: (language: Language) => void,
   ) {
     const { gui } = this;
-    const { technique, view, quality, budget, aa, decals, particles, rectangles, dragon, time } = viewer.state;
-    const shown = { technique, view, quality, budget, aa, decals, particles, rectangles, dragon };
+    const { technique, view, quality, budget, aa, decals, particles, rectangles, time } = viewer.state;
+    const shown = { technique, view, quality, budget, aa, decals, particles, rectangles };
     this.values = { ...shown, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [t(label), key]));
     gui
@@ -130,10 +129,6 @@ export class ViewerMenu {
       buttons.add({ show: () => void viewer.chooseScene(name).catch(ignore) }, 'show').name(t(label)).domElement.title =
         t(help);
     }
-    buttons
-      .add(this.values, 'dragon', [...known.dragons])
-      .name(t('Dragon'))
-      .onChange((name: string) => viewer.setDragon(name).catch(ignore));
     const models = gui.addFolder(t('Models'));
     this.addChooser(
       models,
@@ -179,7 +174,6 @@ export class ViewerMenu {
     this.values.decals = state.decals;
     this.values.particles = state.particles;
     this.values.rectangles = state.rectangles;
-    this.values.dragon = state.dragon;
     this.values.stopped = state.time !== null;
     this.gui.show(state.gui);
     for (const [name, { default: otherwise }] of Object.entries(known.effects)) {

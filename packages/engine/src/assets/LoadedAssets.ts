@@ -22,8 +22,7 @@ import { AssetTable, sample } from './AssetTable';
 /** Options of the constructor of AssetLibrary. */
 export interface AssetLibraryOptions {
   /**
-   * Addresses of assets by name: 'dragon' gets a PLY (may be gzip) in place of the one made in code; other names become
-   * new assets, their type told by the ending of the address.
+   * Addresses of new assets by name, their type told by the ending of the address.
    */
   urls?: Readonly<Record<string, string>>;
   /** How the bytes of an address are read; `fetch` when absent. */
@@ -94,21 +93,19 @@ export abstract class LoadedAssets extends AssetTable {
 
   /**
    * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, IES,
-   * sounds), or gives 'dragon' its address.
+   * sounds).
    * @throws AssetError when the name is taken, or the type cannot be told
    */
   registerUrl(name: string, url: string, type: AssetType | null = typeOfUrl(url)): this {
-    if (this.sources.get(name) !== builtinAssets.dragon) this.checkFree(name);
-    const dragon = name === 'dragon';
-    const known = dragon ? 'mesh' : type;
-    if (!isFileAssetType(known)) {
+    this.checkFree(name);
+    if (!isFileAssetType(type))
       throw new AssetError(name, `cannot be read from '${shortText(url, 80)}': only ${readableEndings} can.`);
-    }
-    const options: ReadOptions = { normalise: dragon, renderer: this.renderer, memory: this.newMemory() };
+    const { renderer } = this;
+    const memory = this.newMemory();
     const load = (signal?: AbortSignal): Promise<Asset> =>
-      read(this.fetchFor(name, url), url, known, { ...options, signal });
-    this.sources.set(name, { type: known, url, load, memory: options.memory!.own });
-    this.tell({ kind: 'registered', name, type: known });
+      read(this.fetchFor(name, url), url, type, { renderer, memory, signal });
+    this.sources.set(name, { type, url, load, memory: memory.own });
+    this.tell({ kind: 'registered', name, type });
     return this;
   }
 

@@ -29,7 +29,7 @@ export const builtinAssets: Readonly<Record<string, AssetSource>> = {
   torus: mesh(() => new TorusGeometry(0.35, 0.15, 24, 64)),
   /** A ball of 12 cm and 80 triangles, to show where lamps are. */
   bulb: mesh(() => new IcosahedronGeometry(0.06, 1)),
-  /** A dragon made in code, 1 m long, standing on y = 0; `urls: { dragon }` of a library puts another in its place. */
+  /** A dragon, 1 m long, standing on y = 0. */
   dragon: { type: 'mesh', load: async () => (await import('../geometry/dragon/dragonMesh')).dragonMesh() },
   ...builtinTextures,
   ...builtinProfiles,

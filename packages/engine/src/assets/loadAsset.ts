@@ -61,8 +61,6 @@ export function typeOfUrl(url: string): FileAssetType | null {
 }
 
 export interface ReadOptions {
-  /** Scale a mesh to a longest side of 1 m and stand it on y = 0, centred in x and z. */
-  readonly normalise?: boolean;
   /** Renderer of the asset; needed only for KTX2 textures. */
   readonly renderer?: WebGLRenderer | null;
   /** Memory of the asset, and of all assets of its library, for the limit on their sum. */

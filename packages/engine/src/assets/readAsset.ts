@@ -1,6 +1,5 @@
 import { RepeatWrapping, SRGBColorSpace, Texture } from 'three';
 import { readBake } from './bake/readBake';
-import { fitGeometry } from '../geometry/fitGeometry';
 import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';
 import { type FileAssetType, pathOf, type ReadOptions } from './loadAsset';
@@ -74,5 +73,5 @@ export async function readAsset(
   }
   const geometry = await parsePly(bytes);
   reserve(options, 'geometry', geometryMemory([geometry]));
-  return options.normalise ? fitGeometry(geometry) : geometry;
+  return geometry;
 }

@@ -92,7 +92,7 @@ function lastingAssets(assets: AssetLibrary): FileAsset[] {
   for (const name of assets.list()) {
     const url = assets.urlOf(name);
     const type = assets.typeOf(name);
-    if (url && type && name !== 'dragon' && !url.startsWith('blob:')) listed.push({ name, type, url });
+    if (url && type && !url.startsWith('blob:')) listed.push({ name, type, url });
   }
   return listed;
 }

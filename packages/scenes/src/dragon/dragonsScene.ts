@@ -6,7 +6,7 @@ import { shadowsField } from '../shadowsField';
 export const dragonsScene = defineScene({
   name: 'dragons',
   label: 'Dragons',
-  help: 'Four Stanford dragons among coloured lights.',
+  help: 'Four dragons among coloured lights.',
   parameters: {
     lights: number(24, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
     shadows: shadowsField,

@@ -1,5 +1,4 @@
-import { Box3, type Object3D, Vector3 } from 'three';
-import { importModel, type Scene } from '@farol/engine';
+import type { Scene } from '@farol/engine';
 import '../meshPack';
 import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
@@ -9,33 +8,12 @@ import { atriumPlan } from './atriumPlan';
 
 /** Options of `sponza`. */
 export interface SponzaOptions extends SceneBuildOptions {
-  /** The real Sponza, such as a loaded glTF's scene, in place of the atrium; brought to 40 m of length. */
-  model?: Object3D;
   /** Width of the generated textures in texels: 128, 256 or 512; 256 when absent. */
   textureSize?: 128 | 256 | 512;
   /** How many of the moving lights cast shadows; none when absent. */
   shadowLights?: number;
   /** The lights stand still; they move when absent. */
   still?: boolean;
-}
-
-function addModel(build: SceneBuilder, model: Object3D): void {
-  const { assets } = build.scene;
-  let prefix = 'sponza-model';
-  for (let n = 2; assets.list().some((name) => name.startsWith(`${prefix}/`)); n++) prefix = `sponza-model-${n}`;
-  const root = importModel(model, assets, prefix);
-  const box = new Box3().setFromObject(model, true);
-  const size = box.getSize(new Vector3());
-  const longest = Math.max(size.x, size.z);
-  const centre = box.getCenter(new Vector3());
-  const holder = build.group('Sponza');
-  const scale = longest > 0 ? atriumPlan.length / longest : 1;
-  const turn = size.z > size.x ? Math.PI / 2 : 0;
-  holder.transform.scale = [scale, scale, scale];
-  holder.transform.rotation = [0, turn, 0];
-  const offset = new Vector3(-centre.x, -box.min.y, -centre.z).applyAxisAngle(new Vector3(0, 1, 0), turn);
-  holder.transform.position = offset.multiplyScalar(scale).toArray();
-  holder.add(root);
 }
 
 /**
@@ -59,8 +37,7 @@ export async function sponza(lights: number, options: SponzaOptions = {}): Promi
     { type: 'hemisphere', diffuse: [0.42, 0.5, 0.72], groundColour: [0.24, 0.2, 0.16], intensity: 0.4 },
     [0, 20, 0],
   );
-  if (options.model) addModel(build, options.model);
-  else addAtrium(build, options.textureSize ?? 256);
+  addAtrium(build, options.textureSize ?? 256);
   const { range, intensity } = lightBudget(lights, { volume: 7000, range: 6, light: 11 });
   build.movingLights(lights, build.group('Lights'), (i, random) => ({
     position: [(length - 5) * (random() - 0.5), 0.8 + 9.5 * random() ** 1.3, (2 * outer - 3) * (random() - 0.5)],

@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import type { Scene, ScriptAsset } from '@farol/engine';
-import { assetUses, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
+import { foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
 import { needsParticles } from './needsParticles';
 import { compileScript, ScriptError } from '@farol/engine/scripts';
 import { sharedContent, type ShareOptions } from './sharedContent';
@@ -53,13 +53,6 @@ async function physicsOf(file: object): Promise<string> {
   return `\n<script type="application/octet-stream" id="farol-physics">${base64Of(new Uint8Array(packed))}</script>`;
 }
 
-async function dragonOf(scene: Scene, uses: boolean): Promise<string> {
-  const url = uses ? scene.assets.urlOf('dragon') : null;
-  if (!url) return '';
-  const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer());
-  return ` data-dragon="data:application/octet-stream;base64,${base64Of(bytes)}#.ply.gz"`;
-}
-
 /** Compiled scripts of a scene. @throws ScriptError naming the first one that does not compile */
 async function compiledScripts(scene: Scene): Promise<string[]> {
   const scripts = scene.assets.fieldAssets('script') as ScriptAsset[];
@@ -100,15 +93,13 @@ function policyOf(hosts: Iterable<string>, nonce: string): string {
  */
 export async function exportHtml(scene: Scene, options: ShareOptions = {}): Promise<Blob> {
   const content = sharedContent(scene, options);
-  const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
   const scripts = options.withScripts === false ? [] : await compiledScripts(scene);
   const hasParticles = needsParticles(JSON.stringify(content.file));
-  const [script, bytes, dragon, physics] = await Promise.all([
+  const [script, bytes, physics] = await Promise.all([
     needsDecoders(content.files.values(), scene).then((decoders) =>
       playerScript(decoders, scripts.length > 0, hasParticles),
     ),
     writeContainer(content),
-    dragonOf(scene, usesDragon),
     physicsOf(content.file),
   ]);
   const nonce = makeNonce();
@@ -125,7 +116,7 @@ export async function exportHtml(scene: Scene, options: ShareOptions = {}): Prom
 </head>
 <body>
 <noscript><p>${escaped(t('This page shows a scene with JavaScript and WebGL 2: switch JavaScript on, or, where it is in a frame that allows no scripts, open it by itself.'))}</p></noscript>
-<script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>${physics}
+<script type="application/octet-stream" id="farol-scene">${base64Of(bytes)}</script>${physics}
 ${[...scripts, script].map((code) => scriptElement(nonce, code)).join('\n')}
 </body>
 </html>

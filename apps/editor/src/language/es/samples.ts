@@ -37,7 +37,7 @@ export const samples: Texts = {
     'Un atrio con dos pisos de arcadas, a la escala del palacio de Sponza.',
   'A dragon, a sphere and a cylinder in a room with all three kinds of lights.':
     'Un dragón, una esfera y un cilindro en una habitación con las tres clases de luces.',
-  'Four Stanford dragons among coloured lights.': 'Cuatro dragones de Stanford entre luces de colores.',
+  'Four dragons among coloured lights.': 'Cuatro dragones entre luces de colores.',
   'N × N planes with M × M moving lights above them, or grids that are no squares.':
     'N × N planos con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
   'N × N meshes with M × M moving lights above them, or grids that are no squares.':

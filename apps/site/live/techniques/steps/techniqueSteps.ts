@@ -107,8 +107,8 @@ const added = (lights: number): Step => ({
   ],
 });
 
-/** Steps of each technique, in the order of its passes. */
-export const techniqueSteps: Readonly<Record<Exclude<TechniqueName, 'auto'>, readonly Step[]>> = {
+/** Steps of techniques, in the order of their passes. */
+const techniqueSteps: Readonly<Partial<Record<TechniqueName, readonly Step[]>>> = {
   forward: [
     {
       ...added(0),
@@ -179,3 +179,7 @@ export const techniqueSteps: Readonly<Record<Exclude<TechniqueName, 'auto'>, rea
   'clustered-forward': [count(clusters), overdraw, final(materials)],
   'clustered-deferred': [...gbuffer, count(clusters), final(once)],
 };
+
+/** Steps of a technique; one that has none here shows its picture alone. */
+export const stepsOf = (technique: TechniqueName): readonly Step[] =>
+  techniqueSteps[technique] ?? [final(['All that the technique draws.', 'Todo lo que dibuja la técnica.'])];
