@@ -1,9 +1,9 @@
 /**
  * @typedef {import('playwright-core').BrowserContext} BrowserContext
  * @typedef {import('playwright-core').Page} Page
- * @typedef {{ mode: string, offered: boolean, edits: number, lost: number, lostMs: number, stallMs: number }} Kill
- *   edits that were made and those that are gone; the age of the oldest of these at the kill, and the longest that the
- *   page's own thread stood still in the seconds before (ms)
+ * @typedef {{ mode: string, offered: boolean, edits: number, stored: number, kept: number, lost: number, lostMs: number, stallMs: number }} Kill
+ *   edits that were made, the last that was told to be in a draft, the last that is there, and how many are gone; the age
+ *   of the oldest of these at the kill, and the longest that the page's own thread stood still in the seconds before (ms)
  */
 
 /** Kinds of edits during which the tab is killed. */
@@ -12,6 +12,9 @@ export const killModes = /** @type {const} */ (['steps', 'drag', 'objects', 'slo
 /** Pause between two steps of a drag, and between two other edits (ms). */
 const DRAG_STEP = 16;
 const STEP = 60;
+
+/** How many times as many edits are made where none of them is stored yet. */
+const PATIENCE = 20;
 
 /** Longest stretch of edits that a kill may lose (ms), besides the time for which the page was blocked. */
 export const MOST_LOST = 1000;
@@ -30,6 +33,7 @@ export async function killTab(context, { url, random, mode }) {
   const page = await openEditor(context, url);
   /** @type {{ n: number, time: number }[]} */
   const edits = [];
+  let stored = 0;
   let stallMs = 0;
   /** @type {{ time: number, ms: number }[]} */
   const stalls = [];
@@ -40,10 +44,12 @@ export async function killTab(context, { url, random, mode }) {
   const enough = new Promise((resolve) => (kill = () => resolve(undefined)));
   await page.exposeFunction(
     'soakEdit',
-    (/** @type {number} */ n, /** @type {number} */ time, /** @type {number} */ ms) => {
+    (/** @type {number} */ n, /** @type {number} */ time, /** @type {number} */ ms, /** @type {number} */ inDraft) => {
       edits.push({ n, time });
       stalls.push({ time, ms });
-      if (edits.length === killedAfter) kill();
+      stored = inDraft;
+      // on a machine that is slow to store, edits go on until some are
+      if (edits.length >= killedAfter * (stored > 0 ? 1 : PATIENCE)) kill();
     },
   );
   if (mode === 'slow') await slowWrites(page);
@@ -88,6 +94,7 @@ export async function killTab(context, { url, random, mode }) {
     mode,
     offered,
     edits: last.length,
+    ...{ stored, kept },
     lost: gone.length,
     lostMs: gone.length > 0 ? killedAt - gone[0].time : 0,
     stallMs,
@@ -120,8 +127,11 @@ async function slowWrites(page) {
 /** Edits on and on, in the page; each edit is told to the test with its time. @param {{ mode: string, step: number }} options */
 function edit({ mode, step: pause }) {
   const page = /** @type {any} */ (window);
-  const { commands, document } = page.editor;
+  const { autosave, commands, document } = page.editor;
   let n = 0;
+  // what was edited when a draft was stored is in the next one, which is read from then on
+  let [stored, atDraft] = [0, 0];
+  autosave.stored.subscribe(() => ([stored, atDraft] = [atDraft, n]));
   let last = performance.now();
   /** @param {() => void} act */
   const command = (act) => ({ label: `Edit ${n}`, isEmpty: false, do: act, undo: () => {} });
@@ -142,7 +152,7 @@ function edit({ mode, step: pause }) {
     };
     if (gesture) gesture.preview(command(act));
     else commands.run(command(act));
-    page.soakEdit(n, Date.now(), gap);
+    page.soakEdit(n, Date.now(), gap, stored);
     setTimeout(step, pause);
   };
   step();
