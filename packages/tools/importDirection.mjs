@@ -216,7 +216,7 @@ export function importViolations(files, manifests) {
  * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
 function violation(path, specifier, kind, { from, may, not = [], types = [], fetches = [], tests = [] }, manifests) {
-  const forTests = isTestCode(path) || /\.config\.ts$/.test(path);
+  const forTests = isTestCode(path) || path.endsWith('.config.ts');
   if (specifier.startsWith('.')) {
     const target = normalize(join(dirname(path), specifier));
     const within = (/** @type {string} */ folder) => target === folder || target.startsWith(`${folder}/`);
