@@ -13,9 +13,6 @@ export const killModes = /** @type {const} */ (['steps', 'drag', 'objects', 'slo
 const DRAG_STEP = 16;
 const STEP = 60;
 
-/** How many times as many edits are made where none of them is stored yet. */
-const PATIENCE = 20;
-
 /** Longest stretch of edits that a kill may lose (ms), besides the time for which the page was blocked. */
 export const MOST_LOST = 1000;
 
@@ -33,8 +30,7 @@ export async function killTab(context, { url, random, mode }) {
   const page = await openEditor(context, url);
   /** @type {{ n: number, time: number }[]} */
   const edits = [];
-  let stored = 0;
-  let stallMs = 0;
+  let [stored, stallMs] = [0, 0];
   /** @type {{ time: number, ms: number }[]} */
   const stalls = [];
   const step = mode === 'drag' ? DRAG_STEP : STEP;
@@ -49,7 +45,7 @@ export async function killTab(context, { url, random, mode }) {
       stalls.push({ time, ms });
       stored = inDraft;
       // on a machine that is slow to store, edits go on until some are
-      if (edits.length >= killedAfter * (stored > 0 ? 1 : PATIENCE)) kill();
+      if (edits.length >= killedAfter && (stored > 0 || edits.length > 2000)) kill();
     },
   );
   if (mode === 'slow') await slowWrites(page);
