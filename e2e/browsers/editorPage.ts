@@ -34,7 +34,7 @@ export async function openEditor(driven: Driven): Promise<void> {
   });
 }
 
-/** Waits for a file whose name has an end. */
+/** Waits for a saved file whose name ends with `end`. */
 export async function savedFile(driven: Driven, end: string): Promise<Buffer> {
   await driven.until((end) => [...window.savedFiles.keys()].some((name) => name.endsWith(end)), end);
   const base64 = await driven.evaluate(async (end) => {

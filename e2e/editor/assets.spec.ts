@@ -80,7 +80,7 @@ test('files that cannot be read are named with the mend, and nothing changes', a
   await dropFiles(page, picture, [{ name: 'cut.gltf', bytes: cut.bytes.subarray(0, 400) }]);
   await expect(notice).toContainText('cut.gltf cannot be imported: its JSON cannot be read');
   await dropFiles(page, picture, [{ name: 'photo.png', bytes: Buffer.from('hello') }]);
-  await expect(notice).toContainText('photo.png cannot be imported: its bytes are no PNG, JPEG or WebP');
+  await expect(notice).toContainText('photo.png cannot be imported: its bytes are not PNG, JPEG or WebP');
   await dropFiles(page, picture, [{ name: 'film.mp4', bytes: Buffer.from('hello') }]);
   await expect(notice).toContainText('film.mp4 cannot be imported: only .glb, .gltf');
   await dropFiles(page, picture, [{ name: 'scene.farol', bytes: Buffer.from('PK\u0003\u0004cut') }]);

@@ -94,7 +94,7 @@ test('the welcome opens what was worked on, offers what was not saved, and takes
   await expect(next.getByRole('treeitem', { name: 'box' })).toBeVisible();
   await expect(next.getByRole('treeitem', { name: 'Cone' })).toHaveCount(0);
 
-  // not at the next start, where it is not wanted
+  // switched off, the welcome screen does not open at the next start
   await next.keyboard.press('Control+z');
   await next.getByRole('menuitem', { name: 'File', exact: true }).click();
   await next.getByRole('menuitem', { name: 'Welcome…' }).click();

@@ -68,7 +68,7 @@ test('r3f: what draws is switched while it runs, and what Farol held is freed @v
   expect(await held()).toBe(before);
   const frame = await page.evaluate(() => window.example.webgl.info.render.frame);
   await expect.poll(() => page.evaluate(() => window.example.webgl.info.render.frame)).toBeGreaterThan(frame);
-  watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+  watch.forgive(/THREE\.Clock: This module has been deprecated/); // React Three Fiber uses THREE.Clock
 });
 
 test('r3f: an effect is put on and taken off, and outlives a Farol that was @verify', async ({ page, watch }) => {
@@ -86,7 +86,7 @@ test('r3f: an effect is put on and taken off, and outlives a Farol that was @ver
   await box.uncheck();
   await expect.poll(() => page.evaluate(() => window.example.farol.effects.length)).toBe(0);
   expect(compareImages(await drawExample(page, 'deferred'), plain).largest).toBe(0);
-  watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+  watch.forgive(/THREE\.Clock: This module has been deprecated/); // React Three Fiber uses THREE.Clock
 });
 
 test('r3f: lights reach only what shares their layers where that is asked for', async ({ page, watch }) => {
@@ -163,7 +163,7 @@ test('r3f: one FarolRenderer serves the canvas, also while a sibling suspends @v
   await drawExample(page, 'clustered-forward');
   expect(await page.evaluate(() => window.example.made)).toBe(1);
 
-  // what stands in for the canvas's own functions goes with it
+  // Farol's replacements of render, compile and compileAsync are removed with it
   const own = () =>
     page.evaluate(() => {
       const { render, compile, compileAsync } = window.example.webgl;
@@ -178,7 +178,7 @@ test('r3f: one FarolRenderer serves the canvas, also while a sibling suspends @v
   await drawExample(page, 'three');
   expect(await own()).toEqual(without);
   expect(await page.evaluate(() => window.example.made)).toBe(2);
-  watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+  watch.forgive(/THREE\.Clock: This module has been deprecated/); // React Three Fiber uses THREE.Clock
 });
 
 test('r3f: edges are smooth where the canvas asks for it @verify', async ({ page, watch }) => {

@@ -36,6 +36,6 @@ for (const name of examples) {
       expect(found.share, `${technique}: share of pixels off by more than 2/255`).toBeLessThanOrEqual(share);
     }
     expect(compareImages(await drawExample(page, 'three'), stock).largest, 'stock three afterwards').toBe(0);
-    if (/r3f|drei/.test(name)) watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+    if (/r3f|drei/.test(name)) watch.forgive(/THREE\.Clock: This module has been deprecated/); // React Three Fiber uses THREE.Clock
   });
 }

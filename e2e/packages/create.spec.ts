@@ -92,7 +92,7 @@ for (const { kind, language, tag } of cases) {
     try {
       await page.goto(server.url);
       await expect.poll(() => isLit(page), { timeout: 60_000 }).toBe(true);
-      watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+      watch.forgive(/THREE\.Clock: This module has been deprecated/); // React Three Fiber uses THREE.Clock
       expect(watch.problems).toEqual([]);
     } finally {
       await server.close();

@@ -56,7 +56,7 @@ test('samples of READMEs and docs run as they stand, built beside the libraries 
         await page.goto(`${server.url}${i}.html`);
         await page.waitForFunction(() => (window as { problem?: string }).problem !== undefined);
         expect(await page.evaluate(() => (window as { problem?: string }).problem), name).toBe('');
-        watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
+        watch.forgive(/THREE\.Clock: This module has been deprecated/); // React Three Fiber uses THREE.Clock
         expect(watch.problems, name).toEqual([]);
       });
     }

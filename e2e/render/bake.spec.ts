@@ -200,7 +200,7 @@ test('baked light is the light of known scenes, by every technique, and leaves t
  * Meshes without a lightmap, and lights of other kinds. Instances and a skinned mesh stand in for the mesh of their shape, and must
  * give the light that it gives; a floor under a sky receives pi times its radiance.
  */
-test('instances and bones throw shadows and reflect as meshes do; sky, soft suns, indirect lights and several lightmaps give known light @verify', async ({
+test('instances and bones cast shadows and reflect as meshes do; sky, soft suns, indirect lights and several lightmaps give known light @verify', async ({
   benchPage: page,
 }) => {
   const found = await page.evaluate(async () => {

@@ -4,7 +4,7 @@ import { expect, test } from '../support/benchTest';
  * In a sphere with a light at its centre, whose wall shines as well, all points receive alike: after n bounces
  * (d + pi e) (1 + a + … + a^n), d the direct light, e the radiance, a the albedo.
  */
-test('lights and what shines are reflected as often as asked, on grids of all scales; unlit and transparent meshes throw shadows @verify', async ({
+test('lights and what shines are reflected as often as asked, on grids of all scales; unlit and transparent meshes cast shadows @verify', async ({
   benchPage: page,
 }) => {
   const found = await page.evaluate(async () => {

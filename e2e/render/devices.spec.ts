@@ -61,7 +61,7 @@ for (const [name, few] of Object.entries(LACKS) as [DeviceName, Few | null][]) {
     ] as const);
     const floats = name !== 'float colour buffers' && name !== 'anything but WebGL 2 itself';
     const asked = new Set<string>();
-    // a driver that honours mediump rounds stock three's picture too: then none may be farther from the whole device's
+    // where the driver honours mediump, stock three's picture is rounded too: each must be as near to the full device's
     const isRounded = isMediump(name) && stockPSNR < 60;
     for (const { technique, effect, refused, errors, psnr = 0, share = 0, wholePSNR = 0 } of results) {
       const said = `${technique}, effect ${effect}: ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(2)}% off ${refused}`;

@@ -61,7 +61,7 @@ test('a dithered material is dithered once, in the colours of the canvas, by eve
     expect.soft(share, `${name}: share of channels that it changes otherwise`).toBeLessThan(0.02);
     expect.soft(most, `${name}: most`).toBeLessThanOrEqual(1);
   }
-  // half floats round some of it
+  // a target of half floats rounds away some of the dithering
   for (const [name, most] of found.linear) expect.soft(most * 255, `${name}, float target`).toBeLessThan(0.05);
 });
 

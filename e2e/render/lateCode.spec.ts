@@ -75,7 +75,7 @@ test('what will need code has it fetched before the first frame', async ({ page,
   await openLazy(page, pagesURL);
   const seen: string[] = [];
   page.on('request', (request) => seen.push(request.url()));
-  // files by what needs them
+  // pattern of the fetched files, by the feature that needs them
   const needs = {
     "'auto'": /clusteredPasses/,
     'a technique': /multipass/,

@@ -136,7 +136,7 @@ test('what cannot be explained says why @verify', async ({ benchPage: page }) =>
     ];
     return cases;
   });
-  expect(messages[0]).toContain('draw a frame before');
+  expect(messages[0]).toContain('draw a frame first');
   expect(messages[1]).toContain('ArrayCamera');
   expect(messages[2]).toContain('from -1 to 1');
   expect(messages[3]).toContain('most is 0');

@@ -64,7 +64,7 @@ test('an edit that does not compile is refused with its line and leaves the pict
   expect(result.entries[0].message).toContain("'gray'");
   expect(result).toMatchObject({ kept: 0, back: 0, again: 0.5 });
   expect(result.messages[0]).toContain('Surface "grey" has no uniform "gray"');
-  expect(result.messages[1]).toContain('Material "own" cannot wear a surface');
+  expect(result.messages[1]).toContain('Material "own" cannot have a surface');
 });
 
 test('after a lost context all is drawn again as before it; one surface that does not compile leaves the others as they are', async ({
@@ -114,7 +114,7 @@ test('after a lost context all is drawn again as before it; one surface that doe
   expect(result.shows).toBeGreaterThan(1.5);
   expect(Math.abs(result.lifted)).toBeGreaterThan(0.05);
   expect(watch.forgive(/Context Lost|Context Restored|context was lost/i)).toBeGreaterThan(0);
-  expect(watch.forgive(/Farol draws without a surface: Surface "broken" does not compile/)).toBe(1);
+  expect(watch.forgive(/Farol: an object is drawn without its surface: Surface "broken" does not compile/)).toBe(1);
 });
 
 test('a text that moves vertices is edited while it is drawn; what does not compile leaves the picture', async ({

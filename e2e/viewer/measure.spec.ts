@@ -25,5 +25,5 @@ test('a dropped model is handed to the Lab, and a demo scene goes by its address
   // without an address of the Lab
   await page.route('**/apps.json', (route) => route.fulfill({ json: {} }));
   await measure.click();
-  await expect(page.locator('.message[data-subject=lab]')).toHaveText(/^Nobody says where the Lab is/);
+  await expect(page.locator('.message[data-subject=lab]')).toHaveText(/^The address of the Lab is unknown/);
 });

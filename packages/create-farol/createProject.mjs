@@ -74,7 +74,7 @@ export function packageName(folder) {
 export function createProject({ folder, kind, typescript, scene = null, tarballs = null }) {
   const problem = folderProblem(folder);
   if (problem !== null) throw new CreateError(problem);
-  if (scene !== null && !existsSync(scene)) throw new CreateError(`There is no file ${scene}: name a saved scene.`);
+  if (scene !== null && !existsSync(scene)) throw new CreateError(`There is no file ${scene}: name a saved one.`);
   const { folders } = kinds[kind];
   const manifest = JSON.parse(readFileSync(join(templates, kind, 'package.json'), 'utf8'));
   if (tarballs !== null) useTarballs(folder, manifest, farolTarballs(tarballs));

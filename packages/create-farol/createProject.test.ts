@@ -132,8 +132,8 @@ test.each([
 
 test.each([
   [['x', '--kind', 'vue'], 'There is no kind "vue": the kinds are plain, react, scene.'],
-  [['x', '--kind', 'react', '--scene', 'a.farol'], '--scene is for the kind scene.'],
-  [['x', '--scene', 'a.farol', '--yes'], /^There is no file .*a\.farol: name a saved scene\.$/],
+  [['x', '--kind', 'react', '--scene', 'a.farol'], '--scene is for the kind scene: leave --kind out.'],
+  [['x', '--scene', 'a.farol', '--yes'], /^There is no file .*a\.farol: name a saved one\.$/],
   [['.', '--yes'], /^The folder .* is not empty: choose another name, or empty it first\.$/],
   [['x', '--tar', 'a'], /^Unknown option '--tar'/],
 ])('%s ends in one sentence', (args, sentence) => {

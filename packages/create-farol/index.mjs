@@ -45,7 +45,8 @@ async function main() {
   const given = values.kind ?? (values.scene === undefined ? undefined : 'scene');
   if (given !== undefined && kindOf(given) === null)
     throw new CreateError(`There is no kind "${given}": the kinds are ${Object.keys(kinds).join(', ')}.`);
-  if (values.scene !== undefined && given !== 'scene') throw new CreateError('--scene is for the kind scene.');
+  if (values.scene !== undefined && given !== 'scene')
+    throw new CreateError('--scene is for the kind scene: leave --kind out.');
 
   const ask = questions(values.yes);
   const folder = resolve(positionals[0] ?? (await ask('Folder (farol-app): ', (answer) => answer || 'farol-app')));

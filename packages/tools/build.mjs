@@ -16,7 +16,7 @@ import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
 ensureInstalled();
-// these need what was installed just now
+// modules that need the packages installed just now
 const { bundleSize, editorLimit, labLimit, rendererLimit, scriptSize } = await import('./bundleSize.mjs');
 const { bundleTypes } = await import('./bundleTypes.mjs');
 const packages = builtPackages();

@@ -54,7 +54,7 @@ export const guides = {
     'engine-photometry': 'Light in real units',
     'scene-files': 'Scene files',
     models: 'OBJ, STL and PLY',
-    guard: 'Files of strangers',
+    guard: 'Untrusted files',
     'editing-package': 'Undo, fields and units',
   },
   Editor: {

@@ -59,7 +59,7 @@ const engineFloors = [
   // slices of long work, code fetched late, random numbers
   ['base'],
   ['fields'],
-  // files of strangers, counted before they are read, and the error of those that are refused
+  // checks of untrusted files before they are read, and the error for refused ones
   ['guard'],
   ['geometry', 'textures', 'profiles', 'photometry', 'astronomy'],
   ['assets'],

@@ -26,7 +26,7 @@ it('finds the packages that are not private', () => {
     ]),
   );
   expect(names).not.toContain('@farol/tools');
-  // it runs in Node: no page imports it
+  // the package runs in Node: no page imports it
   const ofPages = publishedPackages().map(({ manifest }) => manifest.name);
   expect(names.filter((name) => !ofPages.includes(name))).toEqual(['@farol/mcp']);
 });

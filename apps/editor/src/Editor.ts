@@ -321,7 +321,7 @@ export class Editor implements EditorApi {
     // while scripts are off, their banner explains components kept as data
     if (unknown.length === 0 || (scripts.areThere && !scripts.isOn)) return;
     const text = t(
-      'What brings these components is not here, so they are kept as data: {names}. Add the plugin that they belong to.',
+      'These components are unknown, so they are kept as data: {names}. Add the plugin or script that has them.',
       { names: unknown.join(', ') },
     );
     this.notices.show('warning', text, 'plugin');

@@ -79,7 +79,7 @@ declare global {
 let running: AbortController | null = null;
 
 async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> {
-  if (running) throw new Error('A run is at work: wait for it, or call lab.cancel().');
+  if (running) throw new Error('A run is in progress: wait for it, or call lab.cancel().');
   const controller = new AbortController();
   running = controller;
   const frames = framesOfBuilds(document.body, options.crashes);
@@ -131,7 +131,7 @@ const caseOf = (plan: LabPlan, { series, index }: LabRow): unknown =>
 
 function configurationIn(fragment: string): Configuration {
   const linked = configurationOf(fragment);
-  if (!linked) throw new Error('The address says nothing: give a preset, as in #preset=quick.');
+  if (!linked) throw new Error('The address asks for nothing: give a preset, as in #preset=quick.');
   if (linked.problems.length > 0) throw new Error(linked.problems.join('\n'));
   return linked.configuration;
 }

@@ -39,7 +39,7 @@ export default defineConfig(({ command }) => ({
     entries: ['index.html', 'gallery/*', 'thesis/*', 'techniques/*'],
     include: ['@react-three/drei', '@react-three/fiber', 'postprocessing', 'react', 'react-dom/client', 'three'],
   },
-  // its late code comes as chunks
+  // code that the renderer fetches late comes as chunks
   worker: { format: 'es' },
   build: {
     target: 'es2022',

@@ -156,7 +156,7 @@ export class Viewer {
    */
   setAntialiasing(name: string): void {
     if (!known.antialiasing.includes(name)) {
-      throw new Error(`Unknown anti-aliasing "${name}". Known are ${known.antialiasing.join(', ')}.`);
+      throw new Error(`Unknown anti-aliasing "${name}". Choose one of ${known.antialiasing.join(', ')}.`);
     }
     this.changed({ aa: name });
   }

@@ -21,7 +21,7 @@ export async function buildScene(
   renderer: WebGLRenderer,
 ): Promise<Scene> {
   if (!Object.hasOwn(scenes, name)) {
-    throw new Error(`it is unknown: known are ${Object.keys(scenes).join(', ')}.`);
+    throw new Error(`it is unknown: choose one of ${Object.keys(scenes).join(', ')}.`);
   }
   const { build, parameters: fields } = scenes[name];
   if (name !== 'sponza' || SPONZA_URL === null) return build(parameters, assets);

@@ -51,7 +51,7 @@ function start(): void {
     try {
       if (!(await showPageLanguage(language, spanish))) return;
     } catch {
-      viewer.messages.show('language', t('The texts of this language could not be loaded: is the server there?'));
+      viewer.messages.show('language', t('The texts of this language could not be loaded: reload the page.'));
     }
     document.title = t('Farol viewer');
     menu.remove();

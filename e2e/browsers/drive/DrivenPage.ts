@@ -21,7 +21,7 @@ export interface InputSource {
 
 /** A window of a browser that is driven by WebDriver: classic or BiDi. */
 export interface DrivenPage {
-  /** Name and version. */
+  /** Name and version of the browser. */
   readonly browser: string;
   open(url: string): Promise<void>;
   /** Calls a function of the page, as text with its argument as JSON; gives JSON. Rejects with the message of the page. */

@@ -10,7 +10,7 @@ import {
   SpotLight,
 } from 'three';
 
-/** Six boxes on a floor under 24 point lights and a spot light that throws shadows. */
+/** Six boxes on a floor under 24 point lights and a spot light that casts shadows. */
 export function litScene(): Scene {
   const scene = new Scene();
   scene.background = new Color(0x101820);

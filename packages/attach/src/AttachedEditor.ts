@@ -42,9 +42,7 @@ export class AttachedEditor {
     private readonly options: AttachOptions,
   ) {
     if (!(webgl as { isWebGLRenderer?: boolean }).isWebGLRenderer) {
-      throw new Error(
-        'attachEditor: the renderer is no WebGLRenderer; pages drawn by WebGPURenderer are not supported.',
-      );
+      throw new Error('attachEditor: the renderer is not a WebGLRenderer; give one (WebGPURenderer is not supported).');
     }
     if (attached.has(webgl))
       throw new Error('attachEditor: this renderer has an editor already; dispose that one first.');

@@ -29,7 +29,7 @@ export interface TraceOptions {
   /** Milliseconds of GPU time between two moments at which the page may draw, 1 to 1,000. Default 12. */
   sliceMilliseconds?: number;
   /**
-   * Whether a mesh stays where it is: it throws shadows and reflects light, and gets a lightmap. Default: each that is visible.
+   * Whether a mesh stays where it is: it casts shadows and reflects light, and gets a lightmap. Default: each that is visible.
    * @param instance - of an InstancedMesh that is static: whether this one of its instances is
    */
   isStatic?(object: Object3D, instance?: number): boolean;

@@ -52,7 +52,7 @@ async function bake(renderer: WebGLRenderer, scene: Scene, checked: CheckedBakeO
   const collected = collectMeshes(scene, checked);
   const kept = collected.filter(({ isReflecting }) => !isReflecting);
   if (!kept.some(({ isLit }) => isLit)) {
-    throw new Error('There is nothing to bake: no static mesh has a material that light falls on.');
+    throw new Error('There is nothing to bake: give a static mesh a lit material.');
   }
   let begin = performance.now();
   const layout = await unwrapStaticMeshes(kept, checked, (share) => progress.report('unwrapping', share));

@@ -16,5 +16,7 @@ it('has defaults, and names what is out of its bounds', () => {
   expect(() => checkBakeOptions({ bounces: 17 })).toThrow('bounces must be 0 to 16, and is 17.');
   expect(() => checkBakeOptions({ samples: 1.5 })).toThrow('samples must be a whole number, and is 1.5.');
   expect(() => checkBakeOptions({ texelsPerMetre: NaN })).toThrow(RangeError);
-  expect(() => checkBakeOptions({ probes: Float32Array.of(1, 2) })).toThrow('probes must be three numbers a point.');
+  expect(() => checkBakeOptions({ probes: Float32Array.of(1, 2) })).toThrow(
+    'probes must be three numbers for each point.',
+  );
 });

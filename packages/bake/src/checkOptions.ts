@@ -31,7 +31,7 @@ export function checkBakeOptions(options: BakeOptions): CheckedBakeOptions {
   if (size % 16 !== 0) throw new RangeError(`size must be a multiple of 16, and is ${size}.`);
   const { texelsPerMetre, probes } = options;
   if (probes && (probes.length % 3 !== 0 || !probes.every(Number.isFinite))) {
-    throw new RangeError('probes must be three numbers a point.');
+    throw new RangeError('probes must be three numbers for each point.');
   }
   if (texelsPerMetre !== undefined) within('texelsPerMetre', texelsPerMetre, 1e-3, 1e5);
   return {

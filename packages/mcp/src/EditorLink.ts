@@ -44,7 +44,7 @@ export class EditorLink {
     return new Promise<Answer>((resolve, reject) => {
       const timer = setTimeout(() => {
         this.waiting.delete(id);
-        reject(new Error(`${tool} was not answered in ${PATIENCE / 1000} s: see whether the editor's tab still runs.`));
+        reject(new Error(`${tool} was not answered in ${PATIENCE / 1000} s: see whether the editor's tab is open.`));
       }, PATIENCE);
       this.waiting.set(id, (answer) => {
         clearTimeout(timer);

@@ -33,7 +33,7 @@ interface MovingLight {
   range: number;
   extent: Vector3Tuple;
   speed: number;
-  /** Throws shadows, in maps of 512 texels a side. */
+  /** Casts shadows, in maps of 512 texels a side. */
   castShadow?: boolean;
 }
 
@@ -46,7 +46,7 @@ export class SceneBuilder {
 
   private readonly counts = new Map<string, number>();
   private readonly seed: number;
-  /** Whether meshes and lights throw shadows. */
+  /** Whether meshes and lights cast shadows. */
   private readonly shadows: boolean;
 
   constructor(name: string, options: SceneBuildOptions = {}) {

@@ -23,7 +23,7 @@ const frontMatter = /^---\n.*?\n---\n/s;
 export function sitePages() {
   const names = readdirSync(join(root, pagesFolder), { recursive: true, encoding: 'utf8' })
     .map((name) => name.replaceAll('\\', '/'))
-    // those in brackets stand for pages that a script lists: the examples of the gallery
+    // names in brackets stand for pages that a script lists: the examples of the gallery
     .filter((name) => name.endsWith('.md') && !name.includes('['));
   return new Map(
     names.toSorted().map((name) => {

@@ -31,7 +31,7 @@ export const showViews: readonly Action[] = places.map((place) => ({
   id: `view.bookmark.${place}`,
   label({ document }) {
     const view = document.scene.views.get(place);
-    return view ? nameOfView(place, view) : t('View {place}: none is kept', { place });
+    return view ? nameOfView(place, view) : t('View {place}: empty', { place });
   },
   keys: [String(place)],
   run: (editor) => showView(editor, place),

@@ -20,7 +20,7 @@ const isWithin = (elements: readonly Element[], selector: string): boolean =>
 function focusOf(elements: readonly Element[]): Focus {
   const [target] = elements;
   if (!(target instanceof HTMLElement)) return 'page';
-  // its popup is open, but has not taken the focus yet
+  // the popup of a field is open, but has not taken the focus yet
   if (target.matches('[aria-haspopup][aria-expanded="true"]')) return 'text';
   if (isWithin(elements, '[role="menu"], [role="listbox"], [role="dialog"], [role="alertdialog"]')) return 'text';
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';

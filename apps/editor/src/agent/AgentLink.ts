@@ -91,7 +91,7 @@ export class AgentLink {
     };
     const refuse = (text: string): void => answer({ content: [{ type: 'text', text }], isError: true });
     if (this.waiting >= MOST_WAITING)
-      return refuse(`${MOST_WAITING} calls wait already: call again when they are answered.`);
+      return refuse(`${MOST_WAITING} calls are waiting already: call again when they are answered.`);
     this.waiting++;
     // one after the other: each is made of the scene as the one before left it
     this.last = this.last.then(async () => {

@@ -95,14 +95,14 @@ export async function openScene(editor: EditorApi, { name }: ToolInput<'open_sce
     throw new Error(`There is no sample “${name}”: there are empty, ${Object.keys(editor.samples).join(', ')}.`);
   const before = editor.document.scene;
   const { note } = (await runAction(editor, { id: isEmpty ? 'file.new' : `file.new.${name}` })) as { note?: string };
-  if (editor.document.scene === before) throw new Error(note ?? 'The present scene stayed open.');
+  if (editor.document.scene === before) throw new Error(note ?? 'The scene was not replaced.');
   const { scene } = editor.document;
   return { opened: scene.name, objects: scene.size };
 }
 
 export function playScene({ document: { simulation, scene } }: EditorApi, input: ToolInput<'play'>): object {
   const { do: what } = input;
-  if (what !== 'play' && what !== 'step' && simulation.state === 'stopped') throw new Error('The scene does not play.');
+  if (what !== 'play' && what !== 'step' && simulation.state === 'stopped') throw new Error('The scene is stopped.');
   simulation[what]();
   return { play: simulation.state, time: scene.time };
 }

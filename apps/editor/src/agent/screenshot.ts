@@ -46,7 +46,7 @@ export async function takeScreenshot(editor: EditorApi, input: ToolInput<'screen
   const height = Math.round((width * canvas.height) / canvas.width);
   const small = Object.assign(document.createElement('canvas'), { width, height });
   const context = small.getContext('2d');
-  if (!context) throw new Error('This browser makes no pictures of a canvas.');
+  if (!context) throw new Error('This browser cannot make a picture of a canvas.');
   context.imageSmoothingQuality = 'high';
   picture.follow(edited.scene);
   picture.draw(edited.scene, camera, component);

@@ -35,7 +35,7 @@ export function KeyEditor({ value, label, description, disabled, onCommit }: Key
     setListening(false);
     if (event.key !== 'Escape') onCommit(event.code);
   };
-  const listen = isListening ? t('Press the key; Escape leaves it') : t('Press the key for {label}', { label });
+  const listen = isListening ? t('Press the key; Escape cancels') : t('Press the key for {label}', { label });
   return (
     <div className="key-field">
       <SearchSelect

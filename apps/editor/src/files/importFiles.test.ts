@@ -135,7 +135,7 @@ test('pictures of another ending are told as what they are', async () => {
     'a.fbx cannot be imported: its bytes are PNG, not FBX: was another file renamed?',
   ]);
   expect(await saidOf({ 'a.png': 'glTF' })).toEqual([
-    'a.png cannot be imported: its bytes are no PNG, JPEG or WebP: was another file renamed?',
+    'a.png cannot be imported: its bytes are not PNG, JPEG or WebP: was another file renamed?',
   ]);
 });
 
@@ -146,7 +146,7 @@ test('nothing to import is told, and so is what was left out', async () => {
   end.set([0x50, 0x4b, 5, 6]);
   expect(await saidOf({ 'empty.zip': end })).toEqual(nothing);
   const [left] = await saidOf({ 'a.ply': ply, 'photo.psd': 'x', 'film.mp4': 'x' });
-  expect(left).toMatch(/^photo\.psd, film\.mp4 were left out: only \.glb/);
+  expect(left).toMatch(/^photo\.psd, film\.mp4 cannot be imported: only \.glb/);
   // unrelated files in a folder with models are ignored silently
   expect(await saidOf({ 'rock/a.ply': ply, 'rock/license.txt': 'x' })).toEqual([]);
 });

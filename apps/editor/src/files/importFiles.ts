@@ -251,7 +251,7 @@ async function importAll(
   const leftOut = unknown.filter((path) => path !== scene && !path.includes('/'));
   if (leftOut.length > 0)
     notes.push(
-      t('{names} were left out: only {importable} can be imported.', {
+      t('{names} cannot be imported: only {importable} can.', {
         names: leftOut.slice(0, 4).map(shortPath).join(', '),
         importable,
       }),

@@ -18,7 +18,7 @@ export async function openFirst(editor: EditorApi, name: string | null, read: Re
     const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
     editor.notices.show(
       'warning',
-      t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(samples).join(', ') }),
+      t('There is no scene “{text}”: there are empty, {names}.', { text, names: Object.keys(samples).join(', ') }),
     );
   }
 }

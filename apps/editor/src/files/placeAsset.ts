@@ -133,7 +133,7 @@ function shape(editor: EditorApi, profile: string, target: GameObject | null): b
 async function useScript(editor: EditorApi, script: string, place: DropPlace): Promise<void> {
   if (place.target === undefined) return editor.openScript(script);
   if (place.target === null)
-    throw new Error(t('Drop {name} on an object, which gets it as a component.', { name: script }));
+    throw new Error(t('Drop {name} on an object, which then gets it as a component.', { name: script }));
   const { addScriptComponent } = await import('../model/scriptEdits');
   const { document, commands } = editor;
   commands.run(addScriptComponent(document.scene, [place.target], script));
@@ -146,7 +146,7 @@ async function useSurface(editor: EditorApi, surface: string, place: DropPlace):
   const { surfaceWearers, wearSurface } = await import('../model/surfaceEdits');
   const users = surfaceWearers(place.target ? [place.target] : []);
   if (users.length === 0)
-    throw new Error(t('Drop {name} on an object with a mesh, which then looks so.', { name: surface }));
+    throw new Error(t('Drop {name} on an object with a mesh, which then gets it.', { name: surface }));
   const { document, commands } = editor;
   commands.run(wearSurface(surface, users));
   document.selection.set([place.target!.id]);

@@ -39,7 +39,7 @@ export async function showLanguage(language: Language): Promise<void> {
   try {
     loaded = await loaders[language]();
   } catch (cause) {
-    throw new Error(t('The texts of this language could not be loaded: is the server there?'), { cause });
+    throw new Error(t('The texts of this language could not be loaded: reload the page.'), { cause });
   }
   if (asked !== language || shown === language) return;
   shown = language;

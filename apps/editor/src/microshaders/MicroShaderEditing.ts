@@ -114,7 +114,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
     this.discardDraft(name);
     const users = this.isOwn(name) ? this.registry.usersOf(name).filter((other) => other !== name) : [];
     if (users.length > 0)
-      throw new Error(t('“{name}” is needed by {users}: change those first.', { name, users: users.join(', ') }));
+      throw new Error(t('“{name}” is included by {users}: change those first.', { name, users: users.join(', ') }));
     const label = this.isOwn(name)
       ? t('Deleted microshader {name}', { name })
       : t('Reverted microshader {name}', { name });
@@ -124,7 +124,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
   /** Adds a microshader to the scene. @throws Error for a name that is taken or invalid */
   create(name: string): void {
     if (this.names.includes(name))
-      throw new Error(t('There is a microshader “{name}” already: choose another name.', { name }));
+      throw new Error(t('A microshader “{name}” exists already: choose another name.', { name }));
     this.run(t('New microshader {name}', { name }), [{ name, text: TEMPLATE }]);
   }
 

@@ -145,7 +145,7 @@ export class PlayEdits {
     const owner = currentOf(change.owner);
     if ('isAttached' in owner && owner.scene !== this.document.scene) {
       throw new Error(
-        t('{name} cannot be kept: its object was added while playing. Keep all edits instead.', {
+        t('{name} cannot be kept alone: its object was added while playing. Keep all edits.', {
           name: nameOf(change),
         }),
       );

@@ -67,7 +67,7 @@ export function valuesOfOwnMaterial(renderer: ObjectRenderer): Record<string, Fi
 /** Copies a material, in the same folder. @throws AssetError when its fields cannot be read */
 export function duplicateMaterial(scene: Scene, name: string): { command: Command; name: string } {
   const material = scene.assets.materialAsset(name);
-  if (!material) throw new AssetError(name, t('is not made of fields: make a new material.'));
+  if (!material) throw new AssetError(name, t('cannot be edited: make a new material.'));
   const made = addMaterial(scene, name, material.changedValues());
   return { ...made, command: withLabel(t('Duplicated {name}', { name }), made.command) };
 }

@@ -107,7 +107,7 @@ it('copies a script, its class under the new name', () => {
   run(document, command);
   expect(name).toBe('Spin 2');
   expect(sourceOf(document, name)).toBe(scriptTemplate('Spin 2'));
-  expect(() => duplicateScript(document.scene, 'box')).toThrow('is no script');
+  expect(() => duplicateScript(document.scene, 'box')).toThrow('is not a script');
 });
 
 it('renames a script with its class, its components and those of prefabs', () => {

@@ -23,7 +23,7 @@ export interface MadeScript {
 
 function scriptOf(scene: Scene, name: string): FieldAsset {
   const script = scene.assets.fieldAsset(name);
-  if (script?.type !== 'script') throw new AssetError(name, t('is no script.'));
+  if (script?.type !== 'script') throw new AssetError(name, t('is not a script.'));
   return script;
 }
 
@@ -177,7 +177,7 @@ function renamedType(prefab: Prefab, from: string, to: string): Prefab | null {
 export function addScriptComponent(scene: Scene, objects: readonly GameObject[], script: string): Command {
   const source = scriptOf(scene, script).get('source') as string;
   const type = componentTypeOf(script, source);
-  if (type === null) throw new AssetError(script, t('has no component: it exports no class by default.'));
+  if (type === null) throw new AssetError(script, t('has no component: export its class by default.'));
   const known = scene.registry.types.get(type);
   if (known) return addComponent(scene, objects, known);
   const places = objects.map((object) => ({

@@ -15,7 +15,7 @@ async function load(): Promise<object> {
   const packed = document.getElementById('farol-physics');
   await (packed ? runPacked(packed.textContent) : runBeside());
   const { farolLoadRapier } = globalThis as { farolLoadRapier?: () => Promise<object> };
-  if (!farolLoadRapier) throw new Error(t('The page has no physics: export the scene anew.'));
+  if (!farolLoadRapier) throw new Error(t('The page has no physics: export the scene again.'));
   return farolLoadRapier();
 }
 
@@ -35,7 +35,7 @@ function runBeside(): Promise<void> {
     const script = document.createElement('script');
     script.src = new URL('farol-player-physics.js', ownScript?.src ?? document.baseURI).href;
     script.addEventListener('load', () => resolve());
-    script.addEventListener('error', () => reject(new Error(t('The physics could not be fetched.'))));
+    script.addEventListener('error', () => reject(new Error(t('The physics could not be loaded: reload the page.'))));
     document.head.append(script);
   });
 }

@@ -18,7 +18,7 @@ export async function chartPNG(svg: string, scale = 2): Promise<Blob> {
     canvas.height = Math.round(image.naturalHeight * scale);
     canvas.getContext('2d')!.drawImage(image, 0, 0, canvas.width, canvas.height);
     const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-    if (!blob) throw new Error('The browser makes no picture of the chart: save it as SVG.');
+    if (!blob) throw new Error('The browser cannot make a picture of the chart: save it as SVG.');
     return blob;
   } finally {
     URL.revokeObjectURL(url);

@@ -19,7 +19,7 @@ export function refuseTextures({ three, lights, still }: StageScene, textures: n
   const room = textures - others - most - (three.environment ? 1 : 0);
   if (shadows <= room) return;
   throw new Error(
-    `A shader holds ${textures} textures here, and ${textures - room} of them are taken: room for the shadow maps of ` +
+    `A shader holds ${textures} textures here, and ${textures - room} of them are in use: room for the shadow maps of ` +
       `${Math.max(0, room)} lights, not of ${shadows}.`,
   );
 }

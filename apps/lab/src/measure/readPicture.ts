@@ -34,6 +34,6 @@ function canvasOf(pixels: ImageData): HTMLCanvasElement {
 function context2D(width: number, height: number): CanvasRenderingContext2D {
   const canvas = Object.assign(document.createElement('canvas'), { width, height });
   const context = canvas.getContext('2d', { alpha: false, willReadFrequently: true });
-  if (!context) throw new Error('The picture cannot be read: the browser gives no 2D canvas. Close some tabs.');
+  if (!context) throw new Error('The picture cannot be read: the browser has no 2D canvas left. Close some tabs.');
   return context;
 }

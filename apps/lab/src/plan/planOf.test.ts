@@ -50,11 +50,11 @@ describe('the kind of lights and the shading', () => {
 
   it('are refused where they cannot be', () => {
     const refused = (changes: object) => () => planned(atrium(changes));
-    expect(refused({ lightKind: 'lasers' })).toThrow('no lights of the kind lasers: known are points, spots, ');
-    expect(refused({ shading: 'toon' })).toThrow('no shading toon: known are own, flat, gouraud, phong.');
-    expect(refused({ lightRange: 0 })).toThrow('Lights cannot reach 0 m: 0.1 to 100 m');
-    expect(refused({ axis: 'kind', values: [6] })).toThrow('6 is no kind: known are points, ');
-    expect(refused({ axis: 'shadows', lights: 4, lightKind: 'spots' })).toThrow('with point lights alone');
+    expect(refused({ lightKind: 'lasers' })).toThrow('no lights of the kind lasers: choose one of points, spots, ');
+    expect(refused({ shading: 'toon' })).toThrow('no shading toon: choose one of own, flat, gouraud, phong.');
+    expect(refused({ lightRange: 0 })).toThrow('Lights cannot reach 0 m: give 0.1 to 100 m');
+    expect(refused({ axis: 'kind', values: [6] })).toThrow('6 is not a kind: choose one of points, ');
+    expect(refused({ axis: 'shadows', lights: 4, lightKind: 'spots' })).toThrow('only with point lights');
     expect(refused({ scene: 'own', axis: 'pixels', lightKind: 'field' })).toThrow('lights of its own');
   });
 });

@@ -18,7 +18,7 @@ const CHANGES = 150;
  */
 export function planOf(configuration: Configuration): LabPlan {
   const { preset, competitors, effort } = configuration;
-  if (competitors.length === 0) throw new Error('Nothing would be measured: choose a competitor at least.');
+  if (competitors.length === 0) throw new Error('Nothing would be measured: choose at least one competitor.');
   const names = new Map<string, number>();
   const series = configuration.series.map((choice) => {
     const made = seriesOf(choice, configuration);
@@ -41,12 +41,12 @@ export function estimate({ series, competitors, effort }: LabPlan): number {
 function seriesOf(choice: SeriesChoice, size: { width: number; height: number }): LabSeries {
   const { scene, axis } = choice;
   const words = Object.hasOwn(sceneWords, scene) ? sceneWords[scene] : null;
-  if (!words) throw new Error(`Unknown scene ${scene}: known are ${Object.keys(sceneWords).join(', ')}.`);
+  if (!words) throw new Error(`Unknown scene ${scene}: choose one of ${Object.keys(sceneWords).join(', ')}.`);
   if (!words.axes.includes(axis)) {
     throw new Error(`${words.label} cannot be measured over ${axis}: its axes are ${words.axes.join(', ')}.`);
   }
   const made = [...choice.values].sort((a, b) => a - b).map((value) => caseOf(choice, size, value));
-  if (made.length === 0) throw new Error(`${words.label}: give a value at least, as in 10, 100, 1000.`);
+  if (made.length === 0) throw new Error(`${words.label}: give at least one value, as in 10, 100, 1000.`);
   const cases = made.map((each) => each.labCase);
   const fixed = axis === 'lights' || scene === 'own' ? '' : `, ${lightsText(choice)}`;
   const planes = scene === 'benchmarkLights' && axis !== 'objects' ? ` ${choice.n} × ${choice.n}` : '';
@@ -76,7 +76,7 @@ function caseOf(choice: SeriesChoice, size: { width: number; height: number }, v
   const { scene, axis } = choice;
   checkMatter(choice, value);
   if (!Number.isFinite(value) || value < 0 || value > 1e6) {
-    throw new Error(`${value} is no value for ${axis}: numbers from 0 to 1,000,000 are.`);
+    throw new Error(`${value} is not a value for ${axis}: give numbers from 0 to 1,000,000.`);
   }
   const square = scene === 'benchmarkLights';
   const side = (count: number, least: number): number => Math.max(least, Math.round(Math.sqrt(count)));
@@ -117,21 +117,21 @@ function checkMatter(
 ) {
   if (isNamed(axis)) {
     const names = axis === 'kind' ? lightKindNames : shadingNames;
-    if (names[value] === undefined) throw new Error(`${value} is no ${axis}: known are ${names.join(', ')}.`);
+    if (names[value] === undefined) throw new Error(`${value} is not a ${axis}: choose one of ${names.join(', ')}.`);
   }
   if (!lightKindNames.includes(lightKind)) {
-    throw new Error(`There are no lights of the kind ${lightKind}: known are ${lightKindNames.join(', ')}.`);
+    throw new Error(`There are no lights of the kind ${lightKind}: choose one of ${lightKindNames.join(', ')}.`);
   }
   if (!shadingNames.includes(shading)) {
-    throw new Error(`There is no shading ${shading}: known are ${shadingNames.join(', ')}.`);
+    throw new Error(`There is no shading ${shading}: choose one of ${shadingNames.join(', ')}.`);
   }
   if (lightRange !== null && !(lightRange >= 0.1 && lightRange <= 100)) {
-    throw new Error(`Lights cannot reach ${lightRange} m: 0.1 to 100 m are measured.`);
+    throw new Error(`Lights cannot reach ${lightRange} m: give 0.1 to 100 m.`);
   }
   if (scene === 'own' && (lightKind !== 'points' || lightRange !== null)) {
     throw new Error('A scene that was handed over has lights of its own: leave their kind and reach as they are.');
   }
   if (axis === 'shadows' && lightKind !== 'points') {
-    throw new Error('Shadows are measured with point lights alone: choose these, or another axis.');
+    throw new Error('Shadows are measured only with point lights: choose these, or another axis.');
   }
 }

@@ -46,7 +46,7 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
     act(async () => {
       const text = await write();
       await navigator.clipboard.writeText(text).catch(() => {
-        throw new Error(t('The browser gives no access to the clipboard: export a file.'));
+        throw new Error(t('The browser does not allow access to the clipboard: export a file.'));
       });
       return done;
     });

@@ -27,7 +27,7 @@ export function text(most = 1000): Check<string> {
   return (value, path) =>
     typeof value === 'string' && value.length <= most
       ? value
-      : refuse(path, value, `a text of ${most} characters at most`);
+      : refuse(path, value, `a text of at most ${most} characters`);
 }
 
 /** @param what - description of a valid text */
@@ -71,7 +71,7 @@ export function orMissing<T>(check: Check<T>, fallback: T): Check<T> {
 export function listOf<T>(check: Check<T>, most: number, fewest = 0): Check<T[]> {
   return (value, path) => {
     if (!Array.isArray(value)) return refuse(path, value, 'a list');
-    if (value.length > most) throw new FormatError(`${path} has ${value.length} entries: ${most} are the most.`);
+    if (value.length > most) throw new FormatError(`${path} has ${value.length} entries: give at most ${most}.`);
     if (value.length < fewest) throw new FormatError(`${path} has ${value.length} entries: give at least ${fewest}.`);
     return value.map((each, i) => check(each, `${path}[${i}]`));
   };
@@ -82,7 +82,7 @@ export function record<T>(check: Check<T>, most: number): Check<Record<string, T
   return (value, path) => {
     if (!isObject(value)) return refuse(path, value, 'an object');
     const names = Object.keys(value);
-    if (names.length > most) throw new FormatError(`${path} has ${names.length} entries: ${most} are the most.`);
+    if (names.length > most) throw new FormatError(`${path} has ${names.length} entries: give at most ${most}.`);
     for (const name of names) {
       const allowed = /^[@\w][\w@./-]{0,99}$/.test(name) && !(name in Object.prototype);
       if (!allowed)

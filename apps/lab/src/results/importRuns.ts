@@ -15,7 +15,7 @@ export async function importRuns(files: Iterable<File>, store: RunStore): Promis
   const problems: string[] = [];
   for (const file of files) {
     try {
-      if (file.size > 4 * LONGEST_RUN) throw new Error(`it has ${Math.round(file.size / 1e6)} MB, too many for a run.`);
+      if (file.size > 4 * LONGEST_RUN) throw new Error(`it has ${Math.round(file.size / 1e6)} MB, too big for a run.`);
       const run = parseRun(await file.text());
       runs.push(run);
       if (!(await store.has(run.id))) await store.save(run);

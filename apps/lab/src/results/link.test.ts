@@ -71,7 +71,7 @@ describe('linkOf and configurationOf', () => {
     ['preset=custom', /names no series/, ({ series }) => series, presets.lights.configuration.series],
     [
       'series=moon:lights:1',
-      /series=moon:lights:1 is left out: Unknown scene moon: known are/,
+      /series=moon:lights:1 is left out: Unknown scene moon: choose one of/,
       (c) => c.preset,
       'custom',
     ],
@@ -79,7 +79,7 @@ describe('linkOf and configurationOf', () => {
     ['preset=lights&series=sponza:lights:few', /its values are no numbers/, (each) => each.series.length, 2],
     ['preset=lights&series=sponza:lights', /its values are no numbers/, (each) => each.series.length, 2],
     ['preset=lights&series=sponza:lights:1:n=0', /n=0 is unknown/, (each) => each.series.length, 2],
-    ['preset=lights&series=sponza:lights:-5', /-5 is no value/, (each) => each.series.length, 2],
+    ['preset=lights&series=sponza:lights:-5', /-5 is not a value/, (each) => each.series.length, 2],
   ])('name what is wrong in #%s, and keep the rest', (fragment, problem, pick, value) => {
     const linked = configurationOf(`#${fragment}`)!;
     expect(linked.problems.join(' ')).toMatch(problem);
@@ -89,7 +89,7 @@ describe('linkOf and configurationOf', () => {
 
   it.each(['__proto__', 'constructor', 'toString'])('name %s as a scene that there is not', (name) => {
     const { problems } = configurationOf(`#series=${name}:lights:1`)!;
-    expect(problems[0]).toMatch(`series=${name}:lights:1 is left out: Unknown scene ${name}: known are`);
+    expect(problems[0]).toMatch(`series=${name}:lights:1 is left out: Unknown scene ${name}: choose one of`);
   });
 
   it('say little of an address of a million letters, and take no more series and values than a run may have', () => {

@@ -105,7 +105,7 @@ describe('mergeRuns', () => {
     expect(() => mergeRuns(whole.plan, [elsewhere, whole])).toThrow(/device is "Other" and "ANGLE/);
     const { plan } = testRun();
     const smaller = { ...plan, series: plan.series.slice(1) };
-    expect(() => mergeRuns(smaller, [whole])).toThrow(/forward in case 0 of planes-lights is not asked for/);
-    expect(() => mergeRuns(whole.plan, [])).toThrow(/No parts/);
+    expect(() => mergeRuns(smaller, [whole])).toThrow(/forward in case 0 of planes-lights is not in the plan/);
+    expect(() => mergeRuns(whole.plan, [])).toThrow(/nothing to merge/);
   });
 });

@@ -53,7 +53,7 @@ const placeOf = (series: string, index: number, competitor: string): string => `
  */
 export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {
   const last = parts.at(-1);
-  if (!last) throw new Error('No parts: give a run at least.');
+  if (!last) throw new Error('There is nothing to merge: give at least one run.');
   const places = new Map(
     plan.series.flatMap(({ name, cases }) => cases.map((each, index) => [`${name} ${caseKey(each)}`, index])),
   );
@@ -70,7 +70,7 @@ export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {
       const index = labCase && places.get(`${row.series} ${caseKey(labCase)}`);
       if (index === undefined || !plan.competitors.includes(row.competitor)) {
         throw new Error(
-          `The parts are of different plans: ${row.competitor} in case ${row.index} of ${row.series} is not asked for.`,
+          `The parts are of different plans: ${row.competitor} in case ${row.index} of ${row.series} is not in the plan. Measure all again.`,
         );
       }
       rows.set(placeOf(row.series, index, row.competitor), { ...row, index });

@@ -41,7 +41,11 @@ describe('parseRun', () => {
     [['rows', 3, 'frame', 'median'], 'fast', /^rows\[3\]\.frame\.median is "fast": give a number from 0 .*\(ms\)\.$/],
     [['rows', 3, 'frame', 'median'], -1, /rows\[3\]\.frame\.median is -1/],
     [['rows', 0, 'warnings'], 'slow', /rows\[0\]\.warnings is "slow": give a list/],
-    [['rows', 0, 'warnings'], ['w'.repeat(2001)], /rows\[0\]\.warnings\[0\] is "w+…: give a text of 2000 characters/],
+    [
+      ['rows', 0, 'warnings'],
+      ['w'.repeat(2001)],
+      /rows\[0\]\.warnings\[0\] is "w+…: give a text of at most 2000 characters/,
+    ],
     [['rows', 0, 'competitor'], 'stock', /rows\[0\]\.competitor is "stock": give one that plan\.competitors lists/],
     [['rows', 0, 'series'], 'temple', /rows\[0\]\.series is "temple": give the name of a series/],
     [['rows', 2, 'index'], 2, /rows\[2\]\.index is 2: series "planes-lights" has 2 cases/],
@@ -55,7 +59,7 @@ describe('parseRun', () => {
     [
       ['rows', 1, 'passes', 'passes'],
       Array.from({ length: 101 }, () => ({ name: 'x', ms: 1 })),
-      /passes has 101 entries: 100 are the most/,
+      /passes has 101 entries: give at most 100/,
     ],
     [['rows', 1, 'counts', 'draws'], undefined, /rows\[1\]\.counts\.draws is missing/],
     [['plan', 'series', 0, 'axis'], 'mood', /plan\.series\[0\]\.axis is "mood": give "lights" or "objects"/],
@@ -68,7 +72,7 @@ describe('parseRun', () => {
     [['surroundings', 'versions'], { toString: '1' }, /surroundings\.versions has an entry "toString"/],
     [['surroundings', 'command'], {}, /surroundings\.command is an object/],
     [['complete'], 'yes', /complete is "yes": give true or false/],
-    [['format'], 'other', /no run of the Lab/],
+    [['format'], 'other', /not a run of the Lab/],
     [['version'], 2, /version 2 .* reads 1: open it in a newer Lab/],
     [['version'], '1', /version is "1": give 1/],
   ])('refuses %j with %j, and names field and mend', (path, value, message) => {
@@ -76,13 +80,13 @@ describe('parseRun', () => {
   });
 
   it.each<[string, RegExp]>([
-    ['', /no JSON/],
-    ['{"format":', /no JSON/],
-    ['null', /no run of the Lab/],
-    ['[]', /no run of the Lab/],
+    ['', /not JSON/],
+    ['{"format":', /not JSON/],
+    ['null', /not a run of the Lab/],
+    ['[]', /not a run of the Lab/],
     [JSON.stringify(testRun()).replace('"duration":9000', '"duration":1e999'), /duration is Infinity/],
-    ['['.repeat(200_000), /no JSON/],
-    [' '.repeat(LONGEST_RUN + 1), /The file has 32 MB: a run has 32 MB at most/],
+    ['['.repeat(200_000), /not JSON/],
+    [' '.repeat(LONGEST_RUN + 1), /The file has 32 MB: a run has at most 32 MB/],
   ])('refuses a file of something else: %#', (source, message) => {
     expect(() => parseRun(source)).toThrow(message);
   });

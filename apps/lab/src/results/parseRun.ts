@@ -164,14 +164,14 @@ const run = fields<LabRun>({
 export function parseRun(source: string): LabRun {
   if (source.length > LONGEST_RUN) {
     const megabytes = (source.length / 1e6).toFixed(0);
-    throw new FormatError(`The file has ${megabytes} MB: a run has ${LONGEST_RUN / 1e6} MB at most.`);
+    throw new FormatError(`The file has ${megabytes} MB: a run has at most ${LONGEST_RUN / 1e6} MB.`);
   }
   let value: unknown;
   try {
     value = JSON.parse(source);
   } catch (error) {
     const why = error instanceof Error ? error.message.replaceAll(/\s+/g, ' ').slice(0, 120) : '';
-    throw new FormatError(`The file is no JSON (${why}): choose a run that the Lab exported as JSON.`);
+    throw new FormatError(`The file is not JSON (${why}): choose a run that the Lab exported as JSON.`);
   }
   return readRun(value);
 }
@@ -195,7 +195,7 @@ function checkFormat(value: unknown): void {
   >;
   if (format !== 'farol-lab-run') {
     throw new FormatError(
-      'This is no run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").',
+      'This is not a run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").',
     );
   }
   if (typeof version === 'number' && version > LAB_RUN_VERSION) {

@@ -232,10 +232,10 @@ describe('planOf', () => {
     const { configuration } = presets.lights;
     const wrong = (changes: object) => () =>
       planOf({ ...configuration, series: [{ ...configuration.series[0], ...changes }] });
-    expect(wrong({ scene: 'nowhere' })).toThrow('Unknown scene nowhere: known are benchmarkLights, sponza');
+    expect(wrong({ scene: 'nowhere' })).toThrow('Unknown scene nowhere: choose one of benchmarkLights, sponza');
     expect(wrong({ axis: 'objects' })).toThrow('Atrium cannot be measured over objects');
-    expect(wrong({ values: [Number.NaN] })).toThrow('NaN is no value for lights');
-    expect(() => planOf({ ...configuration, competitors: [] })).toThrow('choose a competitor');
+    expect(wrong({ values: [Number.NaN] })).toThrow('NaN is not a value for lights');
+    expect(() => planOf({ ...configuration, competitors: [] })).toThrow('choose at least one competitor');
   });
 
   it('keeps the sides’ ratio over pixels, and sorts values', () => {

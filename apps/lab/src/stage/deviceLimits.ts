@@ -26,7 +26,7 @@ export function deviceLimits(): DeviceLimits {
   const canvas = document.createElement('canvas');
   const gl = canvas.getContext('webgl2', { powerPreference: 'high-performance' });
   if (!gl) {
-    throw new Error('This browser gives no WebGL 2: switch hardware acceleration on in its settings, or update it.');
+    throw new Error('This browser has no WebGL 2: switch hardware acceleration on in its settings, or update it.');
   }
   const debug = gl.getExtension('WEBGL_debug_renderer_info');
   known = {

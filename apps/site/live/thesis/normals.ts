@@ -8,7 +8,7 @@ import { lookAsScene } from './frame/showScene';
 const figure = new Figure({ from: [0, 2, 4], at: [0, 2, 0], pixelRatio: 1 });
 const { farol, camera, webgl, controls } = figure;
 const say = figure.say.bind(figure);
-figure.describe('An atrium of arcades', 'Un patio de arcadas');
+figure.describe('An atrium of arcades', 'Un atrio con arcadas');
 
 const assets = new AssetLibrary();
 registerSceneAssets(assets);

@@ -6,11 +6,11 @@ const shared: Texts = {
   ...editing,
   'Enter VR': 'Entrar en RV',
   'Enter AR': 'Entrar en RA',
-  'The texts of this language could not be loaded: is the server there?':
-    'No se pudieron cargar los textos de este idioma: ¿está el servidor?',
+  'The texts of this language could not be loaded: reload the page.':
+    'No se pudieron cargar los textos de este idioma: hay que recargar la página.',
   Space: 'Espacio',
   Evening: 'Atardecer',
-  'A low sun that throws shadows, a sky at sunset and tone mapping, in place of even light.':
+  'A low sun that casts shadows, a sky at sunset and tone mapping, in place of even light.':
     'Un sol bajo que proyecta sombras, un cielo al atardecer y mapeo de tonos, en vez de luz uniforme.',
   Editor: 'Editor',
   Lab: 'Lab',
@@ -45,7 +45,7 @@ const shared: Texts = {
   'Share of light that is lost on a metre, for small values.':
     'Parte de la luz que se pierde en un metro, si es pequeña.',
   'Fog anisotropy': 'Anisotropía de la niebla',
-  'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.':
+  'Above 0 fog scatters light forwards, and lamps have halos; below 0 backwards.':
     'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
   'Fog height': 'Altura de la niebla',
   'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
@@ -59,7 +59,7 @@ const shared: Texts = {
   'Fog distance': 'Distancia de la niebla',
   'Distance at which fog ends; the nearer, the finer.': 'Distancia a la que acaba la niebla; cuanto menor, más fina.',
   'Occlusion radius': 'Radio de la oclusión',
-  'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
+  'Distance within which surfaces darken a corner.': 'A qué distancia las cosas cierran un rincón.',
   'Occlusion strength': 'Fuerza de la oclusión',
   'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
   'Unsorted transparency': 'Transparencia sin ordenar',
@@ -145,11 +145,11 @@ export const es: Texts = {
   'The scene has no object {name}: drop the model once more.':
     'La escena no tiene ningún objeto {name}: hay que soltar el modelo otra vez.',
   'nothing that is a file': 'nada que sea un archivo',
-  'no .glb, .gltf, .obj, .stl or .ply was given, but {names}.':
+  'there is no .glb, .gltf, .obj, .stl or .ply among {names}: choose one.':
     'no había ningún .glb, .gltf, .obj, .stl ni .ply, sino {names}.',
   'it needs {names}: drop the whole folder, or all of its files together.':
     'necesita {names}: hay que soltar la carpeta entera, o todos sus archivos a la vez.',
-  '{name}: it has nothing to see: its scene holds no mesh.':
+  '{name}: there is nothing to see in it: its scene has no mesh.':
     '{name}: no hay nada que ver: su escena no tiene ninguna malla.',
   'The picture would have {size} pixels. It is drawn with {fitted}: this device draws {side} a side, and the viewer {most} million in all.':
     'La imagen tendría {size} píxeles. Se dibuja con {fitted}: este dispositivo dibuja {side} por lado, y el visor {most} millones en total.',
@@ -161,14 +161,14 @@ export const es: Texts = {
   'A name of no letters': 'Un nombre sin letras',
   'So are {count} others.': 'Y otros {count}.',
   'Known are {names}.': 'Se conocen {names}.',
-  'it is unknown. Known are {names}.': 'es desconocido. Se conocen {names}.',
+  'it is unknown. Choose one of {names}.': 'es desconocido. Se conocen {names}.',
   ' from {min} to {max}': ' de {min} a {max}',
   ' of {min} or more': ' de {min} o más',
   'a whole number{range} is needed.': 'hace falta un número entero{range}.',
   'a number{range} is needed.': 'hace falta un número{range}.',
   '1 or 0 is needed.': 'hace falta 1 o 0.',
-  'three numbers with commas between are needed.': 'hacen falta tres números separados por comas.',
-  'an address cannot hold it.': 'no cabe en una dirección.',
+  'three numbers with commas between them are needed.': 'hacen falta tres números separados por comas.',
+  'it does not fit into an address.': 'no cabe en una dirección.',
   'W A S D, arrows': 'W A S D, flechas',
   'fly forward, left, back, right; with Shift faster':
     'volar adelante, a la izquierda, atrás, a la derecha; con Mayús más rápido',
@@ -245,10 +245,10 @@ export const es: Texts = {
   'Another number, other paths and colours of the lights.': 'Con otro número, otros recorridos y colores de las luces.',
   'Texture size': 'Tamaño de las texturas',
   'Width of the generated textures in texels.': 'Ancho de las texturas generadas, en téxeles.',
-  'How many of the lights throw shadows (six faces of 512 texels each).':
+  'How many of the lights cast shadows (six faces of 512 texels each).':
     'Cuántas de las luces proyectan sombras (seis caras de 512 téxeles cada una).',
-  'Sun throws shadows': 'El sol proyecta sombras',
-  'Whether the sun throws shadows.': 'Si el sol proyecta sombras.',
+  'Sun casts shadows': 'El sol proyecta sombras',
+  'Whether the sun casts shadows.': 'Si el sol proyecta sombras.',
   'Lights at rest': 'Luces en reposo',
   'The lights stand still, so that their shadow maps are kept.':
     'Las luces no se mueven, así que sus mapas de sombra se conservan.',

@@ -15,7 +15,7 @@ export function findModel(files: FileMap): string {
       .slice(0, 5)
       .map((path) => shortText(path, 60))
       .join(', ') || t('nothing that is a file');
-  throw new Error(t('no .glb, .gltf, .obj, .stl or .ply was given, but {names}.', { names }));
+  throw new Error(t('there is no .glb, .gltf, .obj, .stl or .ply among {names}: choose one.', { names }));
 }
 
 /** Path in the file map of a `uri` in the glTF at `modelPath`; null for data inside the glTF. */

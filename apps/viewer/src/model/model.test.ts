@@ -29,7 +29,7 @@ describe('readGltfJson', () => {
   it.each([
     [bytes('hello'), /JSON cannot be read/],
     [bytes(''), /the file is empty: choose it again/],
-    [bytes('[1]'), /no glTF/],
+    [bytes('[1]'), /not a glTF/],
     [bytes('{"asset":{"version":"1.0"}}'), /glTF 1\.0/],
     [glb(json, { cut: 16 }), /cut short: 16 bytes/],
     [glb(json, { cut: 60 }), /cut short: its header says \d+ bytes, and it has 60/],

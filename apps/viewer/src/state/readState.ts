@@ -102,7 +102,7 @@ const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${tex
 
 function oneOf(text: string, allowed: readonly string[]): string {
   if (!allowed.includes(text))
-    throw new BadValue(t('it is unknown. Known are {names}.', { names: allowed.join(', ') }));
+    throw new BadValue(t('it is unknown. Choose one of {names}.', { names: allowed.join(', ') }));
   return text;
 }
 
@@ -137,12 +137,12 @@ function fieldValue(field: Field, text: string): FieldValue {
     case 'euler':
     case 'colour': {
       const values = text.split(',').map((part) => number(part, field.kind === 'vector3' ? field : {}));
-      if (values.length !== 3) throw new BadValue(t('three numbers with commas between are needed.'));
+      if (values.length !== 3) throw new BadValue(t('three numbers with commas between them are needed.'));
       return [values[0], values[1], values[2]];
     }
     case 'curve':
     case 'gradient':
     case 'custom':
-      throw new BadValue(t('an address cannot hold it.'));
+      throw new BadValue(t('it does not fit into an address.'));
   }
 }

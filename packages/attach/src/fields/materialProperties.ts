@@ -11,8 +11,8 @@ const tint = (help: string, label?: string) => colour([1, 1, 1], { help, label }
 /** Properties of materials; a material shows those that it has in three. */
 export const materialProperties = [
   declare('color', tint('Colour of the surface; of metals, of its reflections.', 'Colour')),
-  declare('emissive', tint('Light of its own.')),
-  declare('emissiveIntensity', number(1, { min: 0, step: 0.1, help: 'Factor of the light of its own.' })),
+  declare('emissive', tint('Light that it emits.')),
+  declare('emissiveIntensity', number(1, { min: 0, step: 0.1, help: 'Factor of the light that it emits.' })),
   declare('roughness', share('0 is a mirror, 1 is chalk.')),
   declare('metalness', share('1 for metals, 0 for all else.')),
   declare('specular', tint('Colour of the highlight.')),
@@ -23,7 +23,7 @@ export const materialProperties = [
   declare('transmission', share('Share of light that passes through.'), recompile),
   declare('ior', number(1.5, { min: 1, max: 2.333, step: 0.01, label: 'Refraction', help: 'Index of refraction.' })),
   declare('envMapIntensity', number(1, { min: 0, step: 0.1, label: 'Environment', help: 'Strength of reflections.' })),
-  declare('opacity', share('Of transparent materials: 0 is not to be seen.')),
+  declare('opacity', share('Of transparent materials: 0 is invisible.')),
   declare('transparent', boolean(false, { help: 'Blended over what is behind it, back to front.' }), recompile),
   declare('alphaTest', share('Pixels of less opacity are left out.'), recompile),
   declareConstant(

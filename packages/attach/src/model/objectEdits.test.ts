@@ -60,7 +60,7 @@ describe('removeSelected', () => {
     find(session, 'b')[0].add(session.camera);
     session.selection.set(find(session, 'a'));
     session.attempt(() => removeSelected(session));
-    expect(session.problem).toContain('looks through');
+    expect(session.problem).toContain('drawn from this camera');
     expect(treeOf(session.scene)).toBe('a(b())');
   });
 });

@@ -24,7 +24,7 @@ export function pickObject(scene: Object3D, camera: Camera, at: Vector2): Object
     } else if (object.layers.test(camera.layers) && !skipped.has(object)) {
       skipped.add(object);
       console.warn(
-        `Farol: clicks do not find ${object.type} "${object.name || object.uuid}", whose vertices only the GPU has; select it in the list of objects.`,
+        `Farol: clicks do not find ${object.type} "${object.name || object.uuid}", whose arrays were freed after upload; select it in the list of objects.`,
       );
     }
   });

@@ -57,7 +57,7 @@ it('clicks go through what has its vertices on the GPU alone, which is named onc
   expect(pick()).toBe(behind);
   expect(pick()).toBe(behind);
   expect(warn.mock.calls.flat()).toEqual(
-    meshes.map(({ uuid }) => expect.stringContaining(`clicks do not find Mesh "${uuid}", whose vertices only the GPU`)),
+    meshes.map(({ uuid }) => expect.stringContaining(`clicks do not find Mesh "${uuid}", whose arrays were freed`)),
   );
   const [own] = meshes;
   own.raycast = (_raycaster, hits) => void hits.push({ distance: 1, point: new Vector3(), object: own });

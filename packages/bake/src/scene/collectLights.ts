@@ -113,7 +113,7 @@ function addLight(
     if (read) {
       traced.push(read);
       if ((light as SpotLight).map || light.userData.farolMap || light.userData.farolProfile) {
-        onWarning(`${describe(light)} is baked without the image that it throws.`);
+        onWarning(`${describe(light)} is baked without the image that it projects.`);
       }
     } else {
       onWarning(`${describe(light)} is not baked: lights of its kind are not supported. It stays as it is.`);

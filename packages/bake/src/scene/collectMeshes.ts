@@ -24,7 +24,7 @@ export interface CollectOptions {
  * Visible static meshes of a scene. World matrices must be up to date.
  *
  * Left out with a warning: BatchedMesh, and meshes without positions or triangles or with positions that are not finite.
- * Instanced and skinned meshes throw shadows and reflect light in their current pose, and get no lightmap.
+ * Instanced and skinned meshes cast shadows and reflect light in their current pose, and get no lightmap.
  */
 export function collectMeshes(scene: Object3D, options: CollectOptions): StaticMesh[] {
   const found: StaticMesh[] = [];
@@ -54,9 +54,9 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
     if (Number.isFinite(position.getX(i) + position.getY(i) + position.getZ(i))) continue;
     return skip(`the position of its vertex ${i} is not a number`);
   }
-  if (!mesh.matrixWorld.elements.every(Number.isFinite)) return skip('where it stands is not a number');
+  if (!mesh.matrixWorld.elements.every(Number.isFinite)) return skip('its position is not a number');
   const index = readIndex(mesh.geometry);
-  if (index.some((vertex) => vertex >= position.count)) return skip('its index names a vertex that is not there');
+  if (index.some((vertex) => vertex >= position.count)) return skip('its index names a vertex that does not exist');
   const surfaces = readSurfaces(mesh, index.length);
   if (surfaces.length === 0) return skip('it has no triangles');
   const isInstanced = 'isInstancedMesh' in mesh;
@@ -67,10 +67,10 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
   if (copies?.length === 0) return null;
   if (isInstanced) {
     onWarning(
-      `${name} gets no lightmap: its instances share one set of UVs. They throw shadows and reflect light; use meshes to have them lit.`,
+      `${name} gets no lightmap: its instances share one set of UVs. They cast shadows and reflect light; use single meshes to have them lit.`,
     );
   } else if (isSkinned) {
-    onWarning(`${name} gets no lightmap: bones move it. It throws shadows and reflects light as it stands.`);
+    onWarning(`${name} gets no lightmap: bones move it. It casts shadows and reflects light in its present pose.`);
   }
   const isLightable = surfaces.some(({ material }) => takesLightmap(material));
   const hasLightmap = !isInstanced && !isSkinned;

@@ -66,9 +66,9 @@ describe('collectMeshes', () => {
     expect(options.warnings).toEqual([
       'Mesh “A” is not baked: its geometry has no positions.',
       'Mesh “B” is not baked: the position of its vertex 2 is not a number.',
-      'Mesh “C” is not baked: its index names a vertex that is not there.',
+      'Mesh “C” is not baked: its index names a vertex that does not exist.',
       'Mesh “D” is not baked: it has no triangles.',
-      'Mesh “E” gets no lightmap: its instances share one set of UVs. They throw shadows and reflect light; use meshes to have them lit.',
+      'Mesh “E” gets no lightmap: its instances share one set of UVs. They cast shadows and reflect light; use single meshes to have them lit.',
       'Mesh “G” is not baked: its vertices are on the GPU alone; keep their arrays until it is baked.',
       'Mesh “H” is not baked: its vertices are on the GPU alone; keep their arrays until it is baked.',
     ]);

@@ -39,7 +39,7 @@ export function skySource(
   else if (sky !== 'none') colour.set(sky);
   if (map && ((map as CubeTexture).isCubeTexture || map.mapping !== EquirectangularReflectionMapping)) {
     onWarning(
-      'The sky is not baked: its texture is not equirectangular. Give options.sky the one that it was made of.',
+      'The sky is not baked: its texture is not equirectangular. Give options.sky the equirectangular texture that it was made from.',
     );
     map = null;
   }

@@ -87,7 +87,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
         if (!isMet) continue;
         int range = int(corner.w);
         vec2 barycentric = vec2(u, v);
-        if (shadow && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // the range throws no shadow
+        if (shadow && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // the range casts no shadow
         float opacity = farol_opacityAt(triangle, range, barycentric);
         if (shadow) {
           // along an edge two triangles are met, which are one surface

@@ -32,7 +32,7 @@ export function cutCharts(xatlas: XAtlasModule, { positions, normals, index }: S
   const atlas = xatlas.createAtlas();
   try {
     const error = atlas.addMesh({ positions, indices: index, ...(normals ? { normals } : {}) });
-    if (error !== 0) throw new Error(`xatlas refuses a mesh: ${xatlas.addMeshErrorString(error)}.`);
+    if (error !== 0) throw new Error(`A mesh cannot be unwrapped: ${xatlas.addMeshErrorString(error)}.`);
     const area = surfaceArea(positions, index);
     const triangles = index.length / 3;
     // growing a chart costs by the square of its triangles

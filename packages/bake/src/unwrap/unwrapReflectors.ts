@@ -25,7 +25,7 @@ const copiesOf = (mesh: StaticMesh): StaticMesh[] =>
 
 /**
  * Lays out meshes that reflect light without a lightmap that is kept, in one lightmap more, coarsely. Where there is no
- * room for them they throw shadows alone, which is told.
+ * room for them they cast shadows alone, which is told.
  *
  * @param density - texels a metre of the lightmaps that are kept
  * @param first - number of the first lightmap
@@ -49,7 +49,7 @@ export async function unwrapReflectors(
   } catch (error) {
     options.signal?.throwIfAborted();
     const names = [...new Set(meshes.map(({ name }) => name))].join(', ');
-    options.onWarning(`No light is reflected by ${names}: ${(error as Error).message}`);
+    options.onWarning(`These reflect no light: ${names}. ${(error as Error).message}`);
     return { meshes, unwrapped: meshes.map(() => null), texelsPerMetre: [] };
   }
 }

@@ -31,7 +31,7 @@ export async function unwrapStaticMeshes(
     if (texelsPerMetre === undefined || density > 0.8 * texelsPerMetre) return;
     const first = meshes[unwrapped.findIndex((each) => each?.lightmap === lightmap)];
     onWarning(
-      `${first.name} is larger than a lightmap: it gets ${density.toPrecision(2)} texels a metre. Choose a larger size.`,
+      `${first.name} is larger than a lightmap: it gets only ${density.toPrecision(2)} texels a metre. Choose a larger size.`,
     );
   });
   return { unwrapped, surfaces: surfaceOfEach, texelsPerMetre: result.texelsPerMetre };

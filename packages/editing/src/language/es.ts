@@ -2,7 +2,7 @@ import type { Texts } from './translate';
 
 /** Spanish texts of this package, by their English ones. */
 export const es: Texts = {
-  'Ambient occlusion is not in this frame: switch it on, with a technique that knows depth before it shades, such as Deferred shading, Light pre-pass or Forward+.':
+  'Ambient occlusion is not in this frame: switch it on, with a technique that has depth before it lights, such as Deferred shading, Light pre-pass or Forward+.':
     'En este fotograma no hay oclusión ambiental: se activa, con una técnica que conozca la profundidad antes de sombrear, como Sombreado diferido, Light pre-pass o Forward+.',
   'Motion is not in this frame: switch on the anti-aliasing TAA.':
     'En este fotograma no hay movimiento: hay que activar el antialiasing TAA.',

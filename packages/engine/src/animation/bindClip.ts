@@ -145,7 +145,7 @@ export function bindModelClip(
     const target = targetOfTrack(clip, track);
     const moved = target
       ? channelsOfNode(target, clip, root, objects, drawn, channels)
-      : `its track '${shortText(track.name, 80)}' animates what Farol does not: it is passed over.`;
+      : `its track '${shortText(track.name, 80)}' animates something that Farol cannot animate: it is left out.`;
     if (typeof moved === 'string') problems.add(moved);
     else {
       const isQuaternion = target?.property === 'quaternion';

@@ -56,7 +56,7 @@ describe('parseClip', () => {
     JSON.stringify({ tracks: [{ path: 'Arm', component: 'Transform', field: 'position', keys, ...rest }] });
 
   test.each([
-    ['{', /'Walk'.*no JSON/],
+    ['{', /'Walk'.*not JSON/],
     ['[]', /'Walk'.*tracks and events/],
     ['{"tracks":{}}', /tracks must be a list/],
     ['{"tracks":[3]}', /track 1 must be an object/],

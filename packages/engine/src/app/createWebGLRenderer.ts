@@ -2,7 +2,7 @@ import { WebGLRenderer, type WebGLRendererParameters } from 'three';
 
 /** Message for a user without WebGL 2, with the remedy. */
 export const noWebGL2 =
-  'This browser gives no WebGL 2, which Farol draws with. Switch hardware acceleration on in the settings of the ' +
+  'This browser has no WebGL 2, which Farol needs. Switch hardware acceleration on in the settings of the ' +
   'browser, or update it; https://get.webgl.org/webgl2/ shows whether WebGL 2 works.';
 
 /** Makes three's renderer. @throws Error that says what to do, where the browser has no WebGL 2 */

@@ -129,7 +129,7 @@ export abstract class AssetTable {
    * @throws AssetError for a path that is none
    */
   setFolder(path: string, isThere: boolean): void {
-    if (path.split('/').some((part) => part.trim() === '')) throw new AssetError(path, 'is no path of a folder.');
+    if (path.split('/').some((part) => part.trim() === '')) throw new AssetError(path, 'is not a folder path.');
     if (this.ownFolders.has(path) === isThere) return;
     if (isThere) this.ownFolders.add(path);
     else this.ownFolders.delete(path);

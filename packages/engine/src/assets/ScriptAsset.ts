@@ -2,7 +2,7 @@ import { string } from '@farol/editing/fields';
 import { DataAsset } from './FieldAsset';
 
 export const scriptFields = {
-  source: string('', { help: 'Its text: a module whose default export is a class of components.' }),
+  source: string('', { help: 'Text: a module that exports a component class by default.' }),
 };
 
 /**

@@ -5,7 +5,7 @@ import { loadSurfaceCode, surfaceCode } from './surfaceCode';
 import { uniformFieldsOf } from './uniformFields';
 
 export const surfaceFields = {
-  source: string('', { help: 'Its text: GLSL with surface() or displace(), and the uniforms that it declares.' }),
+  source: string('', { help: 'Text: GLSL with surface() or displace(), and its uniforms.' }),
 };
 
 const none: FieldTable = {};

@@ -194,7 +194,7 @@ describe('a container', () => {
     const bytes = await writeContainer(containerContent(await filled()));
     await expect(readSceneFile(bytes.subarray(0, bytes.length - 40))).rejects.toThrow(/cut short or damaged/);
     await expect(readSceneFile(new Uint8Array())).rejects.toThrow(/is empty/);
-    await expect(readSceneFile(new Uint8Array(bytesOf('glTF…')))).rejects.toThrow(/is a GLB, no scene of Farol/);
+    await expect(readSceneFile(new Uint8Array(bytesOf('glTF…')))).rejects.toThrow(/is a GLB, not a scene of Farol/);
     const { text, fileOf } = await readSceneFile(bytes);
     const assets = new AssetLibrary();
     await expect(deserialize(text, { assets })).rejects.toThrow(
@@ -224,7 +224,7 @@ describe('a broken asset', () => {
     ['cut.exr', async () => latin('v/1\x01\x02\0\0\0chan'), /its EXR data are damaged or cut short/],
     ['picture.exr', async () => latin('\x89PNG\r\n'), /its bytes are PNG, not OpenEXR: was another file renamed\?/],
     ['cut.png', async () => latin('\x89PNG\r\n'), /it begins as PNG, and is damaged or cut short/],
-    ['text.jpg', async () => bytesOf('hello'), /no PNG, JPEG or WebP: was another file renamed\?/],
+    ['text.jpg', async () => bytesOf('hello'), /not PNG, JPEG or WebP: was another file renamed\?/],
   ])('%s is named with what is wrong', async (name, make, message) => {
     const assets = new AssetLibrary();
     assets.registerFile(name, new Blob([await make()]));
@@ -293,5 +293,5 @@ test('an asset whose name has no ending is what the file says, as bytes in it an
   // an ending that says otherwise is still a mistake
   file.assets = [{ ...file.assets[0], name: 'own.png' }];
   values.mesh = 'own.png';
-  await expect(deserialize(file)).rejects.toThrow('says mesh, and by its name it is a texture');
+  await expect(deserialize(file)).rejects.toThrow('says mesh, but its name is that of a texture');
 });

@@ -89,7 +89,7 @@ export const materialAssetFields: FieldTable = {
     unit: 'm',
     min: 0,
     step: 0.01,
-    help: 'Depth of what light passes through; 0 is a thin sheet, which does not bend it.',
+    help: 'Thickness that light passes through; 0 is a thin sheet, which does not bend it.',
     ...physical,
   }),
   attenuationDistance: number(0, {
@@ -105,10 +105,10 @@ export const materialAssetFields: FieldTable = {
     label: 'Attenuation colour',
     ...physical,
   }),
-  dispersion: number(0, { min: 0, max: 20, step: 0.1, help: 'How far colours part where light bends.', ...physical }),
+  dispersion: number(0, { min: 0, max: 20, step: 0.1, help: 'How far colours split where light bends.', ...physical }),
   diffuseRoughness: number(0, {
     ...part,
-    help: 'Roughness of what scatters diffusely, as of clay: the rim gets lighter.',
+    help: 'Roughness of diffuse reflection, as of clay: the rim gets lighter.',
     label: 'Diffuse roughness',
     ...physical,
   }),
@@ -119,17 +119,17 @@ export const materialAssetFields: FieldTable = {
   }),
   specularIntensity: number(1, {
     ...part,
-    help: 'Strength of reflection of what is no metal.',
+    help: 'Strength of the reflections of non-metals.',
     label: 'Specular intensity',
     ...physical,
   }),
   specularColour: colour([1, 1, 1], {
-    help: 'Colour of reflection of what is no metal.',
+    help: 'Colour of the reflections of non-metals.',
     label: 'Specular colour',
     ...physical,
   }),
   depthWrite: boolean(true, {
-    help: 'Hide what lies behind, even where it is see-through. Off for most see-through things.',
+    help: 'Hide what lies behind, even where it is transparent. Off for most transparent things.',
     label: 'Write depth',
   }),
   side: choice('front', ['front', 'back'], {

@@ -12,7 +12,7 @@ export const materialKinds = ['standard', 'phong', 'lambert', 'basic', 'physical
 
 /** The fields of an ObjectRenderer that describe its material. */
 export const materialFields = {
-  kind: choice('standard', materialKinds, { help: 'Model by which the surface answers light.', ...made }),
+  kind: choice('standard', materialKinds, { help: 'Shading model of the surface.', ...made }),
   colour: colour([0.8, 0.8, 0.8], { help: 'Diffuse colour; multiplies the map.', ...made }),
   map: asset('texture', null, { help: 'Texture of the colour.', ...made }),
   normalMap: asset('texture', null, { help: 'Texture of bumps, in tangent space.', label: 'Normal map', ...lit }),
@@ -63,7 +63,7 @@ export const materialFields = {
     min: 0,
     max: 1,
     step: 0.01,
-    help: '0 cannot be seen, 1 hides what lies behind.',
+    help: '0 is invisible, 1 hides what lies behind.',
     visibleWhen: { field: 'transparent', equals: [true] },
   }),
   alphaTest: number(0, {

@@ -36,7 +36,7 @@ export const materialMaps = {
   bumpMap: {
     property: 'bumpMap',
     label: 'Bump map',
-    help: 'Heights: light is high. A normal map goes before it.',
+    help: 'Heights: white is high. Ignored where there is a normal map.',
     kinds: lit,
   },
   displacementMap: {
@@ -233,7 +233,7 @@ export function fieldsOfMap(name: MaterialMapName): FieldTable {
       max: 3,
       step: 1,
       integer: true,
-      help: 'Which texture coordinates of the mesh it goes by; a mesh without them shows one texel.',
+      help: 'UV channel of the mesh; a mesh without it shows one texel.',
       ...shown,
     }),
   };

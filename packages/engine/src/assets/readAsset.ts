@@ -21,7 +21,7 @@ async function readTexture(bytes: ArrayBuffer): Promise<Texture> {
     throw new Error(
       said
         ? `it begins as ${said}, and is damaged or cut short. Export it again from where it was made.`
-        : 'its bytes are no PNG, JPEG or WebP: was another file renamed?',
+        : 'its bytes are not PNG, JPEG or WebP: was another file renamed?',
       { cause },
     );
   }
@@ -40,7 +40,7 @@ async function readPicture(bytes: ArrayBuffer, kind: string, options: ReadOption
   if (said === 'HDR' || said === 'EXR') return readEnvironment(bytes, said);
   if (said === 'KTX2') return readKtx2(bytes, options);
   const wanted = { '.ktx2': 'KTX2', '.hdr': 'Radiance HDR', '.exr': 'OpenEXR' }[kind];
-  if (wanted) throw new Error(`its bytes are ${said ?? 'something other'}, not ${wanted}: was another file renamed?`);
+  if (wanted) throw new Error(`its bytes are ${said ?? 'unknown'}, not ${wanted}: was another file renamed?`);
   return readTexture(bytes);
 }
 

@@ -13,11 +13,11 @@ test('a .cube file is the table that grading takes, red first', () => {
 });
 
 test.each([
-  ['LUT_1D_SIZE 16', /one dimension/],
+  ['LUT_1D_SIZE 16', /a 1D table/],
   ['LUT_3D_SIZE 1000', /whole number from 2 to 128/],
   [head + eight.slice(1).join('\n'), /has 7 colours where LUT_3D_SIZE 2 needs 8/],
   [head + [...eight, '1 1 1'].join('\n'), /more colours/],
-  [head + [...eight.slice(1), '0 -- 0'].join('\n'), /colour 8 is no three numbers/],
+  [head + [...eight.slice(1), '0 -- 0'].join('\n'), /colour 8 is not three numbers/],
   [head.replace('MAX 1', 'MAX 4') + eight.join('\n'), /from 0 to 1/],
   ['', /has 0 colours/],
 ])('what is none is refused: %#', (text, message) => expect(() => read(text)).toThrow(message));

@@ -17,12 +17,12 @@ export function readCube(bytes: ArrayBuffer): DataTexture {
   for (const line of lines) {
     const [first, ...rest] = line.trim().split(/\s+/);
     if (first === '' || first.startsWith('#') || first === 'TITLE') continue;
-    if (first === 'LUT_1D_SIZE') throw new Error('it is a table of one dimension: export one of three (LUT_3D_SIZE).');
+    if (first === 'LUT_1D_SIZE') throw new Error('it is a 1D table: export a 3D one (LUT_3D_SIZE).');
     if (first === 'LUT_3D_SIZE') size = sizeOf(rest[0]);
     else if (first === 'DOMAIN_MIN') range = [Number(rest[0]), range[1]];
     else if (first === 'DOMAIN_MAX') range = [range[0], Number(rest[0])];
     else if (/^[-+.\d]/.test(first)) {
-      if (colours.length >= size ** 3 * 3) throw new Error(`it has more colours than its size of ${size} says.`);
+      if (colours.length >= size ** 3 * 3) throw new Error(`it has more colours than its size of ${size} allows.`);
       for (const text of [first, rest[0], rest[1]]) colours.push(Number(text));
     }
   }
@@ -33,14 +33,14 @@ export function readCube(bytes: ArrayBuffer): DataTexture {
       `it has ${colours.length / 3} colours where LUT_3D_SIZE ${size} needs ${size ** 3}: export it again.`,
     );
   const wrong = colours.findIndex((value) => !Number.isFinite(value));
-  if (wrong >= 0) throw new Error(`colour ${Math.floor(wrong / 3) + 1} is no three numbers: export it again.`);
+  if (wrong >= 0) throw new Error(`colour ${Math.floor(wrong / 3) + 1} is not three numbers: export it again.`);
   return imageOf(colours, size);
 }
 
 function sizeOf(text = ''): number {
   const size = Number(text);
   if (!Number.isInteger(size) || size < 2 || size > MOST)
-    throw new Error(`its LUT_3D_SIZE is ${shortText(text)}: a whole number from 2 to ${MOST} is wanted.`);
+    throw new Error(`its LUT_3D_SIZE is ${shortText(text)}: give a whole number from 2 to ${MOST}.`);
   return size;
 }
 

@@ -28,17 +28,17 @@ function readHeader(bytes: Uint8Array): HdrHeader {
   let at = 0;
   const readLine = (): string => {
     const end = bytes.indexOf(10, at);
-    if (end < 0) throw new Error('its header is not whole');
+    if (end < 0) throw new Error('its header is incomplete');
     const line = String.fromCharCode(...bytes.subarray(at, Math.min(end, at + 1024)));
     at = end + 1;
     return line.replace(/\r$/, '');
   };
   for (let line = readLine(); line !== ''; line = readLine()) {
     const [, format] = /^\s*FORMAT\s*=\s*(\S+)/.exec(line) ?? [];
-    if (format === '32-bit_rle_xyze') throw new Error('its colours are of 32-bit_rle_xyze, and only RGB is read');
+    if (format === '32-bit_rle_xyze') throw new Error('its colours are XYZ (32-bit_rle_xyze), and only RGB is read');
   }
   const size = /^\s*([-+])([XY])\s+(\d+)\s+([-+])([XY])\s+(\d+)\s*$/.exec(readLine());
-  if (!size || size[2] === size[5]) throw new Error('its header says no size');
+  if (!size || size[2] === size[5]) throw new Error('its header gives no size');
   const [, firstSign, first, count, secondSign, , length] = size;
   const isTurned = first === 'X';
   const [signOfX, signOfY] = isTurned ? [firstSign, secondSign] : [secondSign, firstSign];

@@ -71,7 +71,7 @@ describe('a KTX2', () => {
     await expect(load(ktx2('rd', { cut: 60 }))).rejects.toThrow("'wall.ktx2' could not be loaded: it is cut short");
     await expect(load(ktx2('rd', { cut: 190 }))).rejects.toThrow(/its KTX2 data are damaged or cut short/);
     await expect(load(ktx2('rd', { depth: 4 }))).rejects.toThrow(/a cube, an array or a volume/);
-    await expect(load(ktx2('rd'), 'wall.ktx2', {})).rejects.toThrow(/give the AssetLibrary the renderer/);
+    await expect(load(ktx2('rd'), 'wall.ktx2', {})).rejects.toThrow(/give the AssetLibrary your WebGLRenderer/);
     const png = Uint8Array.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]);
     await expect(load(png)).rejects.toThrow(/its bytes are PNG, not KTX2/);
   });

@@ -11,7 +11,7 @@ import { makeKTX2Loader } from './makeKTX2Loader';
 export async function readKtx2(bytes: ArrayBuffer, { renderer, signal }: ReadOptions): Promise<Texture> {
   const view = new DataView(bytes);
   checkKtx2(view);
-  if (!renderer) throw new Error('it is a KTX2: give the AssetLibrary the renderer that draws it.');
+  if (!renderer) throw new Error('it is KTX2: give the AssetLibrary your WebGLRenderer.');
   const isBottomUp = orientationOf(bytes, view).startsWith('ru');
   const loader = await makeKTX2Loader(renderer);
   try {

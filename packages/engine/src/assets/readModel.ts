@@ -21,7 +21,7 @@ async function loaderFor(
   const loader = new GLTFLoader().register(showWhole);
   const disposables: { dispose(): unknown }[] = [];
   if (extensions.includes('KHR_texture_basisu')) {
-    if (!renderer) throw new Error('it has KTX2 textures: give the AssetLibrary the renderer that draws them.');
+    if (!renderer) throw new Error('it has KTX2 textures: give the AssetLibrary your WebGLRenderer.');
     const ktx2 = await makeKTX2Loader(renderer);
     disposables.push(ktx2);
     loader.setKTX2Loader(ktx2);

@@ -68,7 +68,7 @@ export function bakeSources(scene: Scene): BakeSources {
 }
 
 /**
- * Whether a three object that gets no lightmap throws shadows and reflects light in a bake: its bones, or its
+ * Whether a three object that gets no lightmap casts shadows and reflects light in a bake: its bones, or its
  * instances, have no one place in a lightmap, and it belongs to a static object.
  * @param instance - of a mesh of instances: whether this one is static; of the mesh as a whole, true
  */

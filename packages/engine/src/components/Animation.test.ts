@@ -88,7 +88,7 @@ describe('plays a clip', () => {
     animation.stop();
     scene.update(0.1);
     expect([heightOf(object), animation.playing]).toEqual([0, null]);
-    expect(() => animation.play('Walk')).toThrow(/'Walk' is no clip; there are Rise/);
+    expect(() => animation.play('Walk')).toThrow(/there is no clip 'Walk'; there are Rise/);
   });
 
   test('an edited clip is played as it is now; one that comes later too', () => {

@@ -43,7 +43,7 @@ export class Animation
       unit: 's',
       min: 0,
       step: 0.05,
-      help: 'How long it takes to go over from one clip to another.',
+      help: 'How long one clip fades into another.',
       label: 'Cross-fade',
     }),
   })
@@ -97,7 +97,7 @@ export class Animation
    */
   play(name?: string, options: PlayOptions = {}): void {
     const { scene, system } = this;
-    if (!scene || !system) throw new Error('An Animation that is in no scene cannot play: add its object first.');
+    if (!scene || !system) throw new Error('An Animation can play only in a scene: add its object to one first.');
     const { time } = scene;
     const clip = typeof name === 'string' && name !== '' ? this.find(name) : this.clip;
     this.hasStarted = true;
@@ -244,7 +244,7 @@ export class Animation
     const leaf = assets.list('clip').find((each) => each.endsWith(`/${name}`));
     if (leaf !== undefined) return leaf;
     throw new Error(
-      `Animation.play: '${name}' is no clip; there are ${this.clipNames.slice(0, 8).join(', ') || 'none'}.`,
+      `Animation.play: there is no clip '${name}'; there are ${this.clipNames.slice(0, 8).join(', ') || 'none'}.`,
     );
   }
 

@@ -8,5 +8,5 @@ export class AudioListener extends component({
   static override readonly typeName: string = 'AudioListener';
   static override readonly icon: string = 'listener';
   static override readonly unique: boolean = true;
-  static override readonly help: string = 'Where the scene is heard from; the active camera where none is there.';
+  static override readonly help: string = 'Where the scene is heard from; without one, the active camera.';
 }

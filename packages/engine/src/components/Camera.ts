@@ -25,7 +25,7 @@ export class Camera extends component({
   size: number(10, {
     unit: 'm',
     min: 0.001,
-    help: 'Height of what is seen.',
+    help: 'Height of the view.',
     visibleWhen: { field: 'projection', equals: ['orthographic'] },
   }),
   autoAspect: boolean(true, { help: "Take the canvas's ratio of width to height.", label: 'Aspect of the canvas' }),
@@ -36,8 +36,8 @@ export class Camera extends component({
     help: 'Width over height.',
     visibleWhen: { field: 'autoAspect', equals: [false] },
   }),
-  near: number(0.1, { unit: 'm', min: 0.0001, help: 'Distance of the nearest thing that is seen.' }),
-  far: number(200, { unit: 'm', min: 0.001, help: 'Distance of the farthest thing that is seen.' }),
+  near: number(0.1, { unit: 'm', min: 0.0001, help: 'Nearer things are not drawn.' }),
+  far: number(200, { unit: 'm', min: 0.001, help: 'Farther things are not drawn.' }),
   toneMapping: choice('scene', ['scene', ...toneMappingNames], {
     help: 'Tone mapping of what this camera sees.',
     label: 'Tone mapping',
@@ -48,7 +48,7 @@ export class Camera extends component({
     min: -20,
     max: 20,
     step: 0.1,
-    help: 'Steps of exposure beside the rest: 1 is twice the light, -1 half of it. Needs a tone mapping.',
+    help: 'Exposure compensation: 1 is twice the light, -1 half of it. Needs a tone mapping.',
     label: 'Exposure compensation',
   }),
   depthOfField: choice('scene', ['scene', 'off', 'own'], {

@@ -52,14 +52,14 @@ export class Decal extends component({
   }),
   roughness: number(0.6, { min: 0, max: 1, step: 0.01, help: '0 is a mirror, 1 is chalk.', ...covers }),
   metalness: number(0, { min: 0, max: 1, step: 0.01, help: '0 for insulators, 1 for metals.', ...covers }),
-  opacity: number(1, { min: 0, max: 1, step: 0.01, help: 'How much it does to the surface; 0 cannot be seen.' }),
+  opacity: number(1, { min: 0, max: 1, step: 0.01, help: 'How much of it is visible; 0 is nothing.' }),
   maximumAngle: angle(Math.PI / 2, {
     min: 0,
     max: Math.PI,
-    help: 'Surfaces that are turned farther away from it are left out.',
+    help: 'Surfaces at a larger angle to it are left out.',
     label: 'Maximum angle',
   }),
-  order: number(0, { integer: true, min: -1000, max: 1000, help: 'Of decals in one place the highest is on top.' }),
+  order: number(0, { integer: true, min: -1000, max: 1000, help: 'Where decals overlap, the highest is on top.' }),
 }) {
   static override readonly typeName: string = 'Decal';
   static override readonly icon: string = 'decal';

@@ -91,7 +91,7 @@ export class EventTrigger extends component({
     label: 'Call',
   }),
   valueType: choice('none', values, {
-    help: 'What is handed over; the methods and fields that can be chosen go by it.',
+    help: 'Type of the value that is passed; only methods and fields that take it can be chosen.',
     label: 'With',
     optionLabels: {
       none: 'No value',
@@ -104,21 +104,21 @@ export class EventTrigger extends component({
       event: 'The event',
     },
   }),
-  numberValue: number(0, { help: 'The number that is handed over.', label: 'Value', visibleWhen: whenValue('number') }),
-  flagValue: boolean(true, { help: 'What is handed over.', label: 'Value', visibleWhen: whenValue('flag') }),
-  textValue: string('', { help: 'The text that is handed over.', label: 'Value', visibleWhen: whenValue('text') }),
+  numberValue: number(0, { help: 'The number that is passed.', label: 'Value', visibleWhen: whenValue('number') }),
+  flagValue: boolean(true, { help: 'The value that is passed.', label: 'Value', visibleWhen: whenValue('flag') }),
+  textValue: string('', { help: 'The text that is passed.', label: 'Value', visibleWhen: whenValue('text') }),
   colourValue: colour([1, 1, 1], {
-    help: 'The colour that is handed over.',
+    help: 'The colour that is passed.',
     label: 'Value',
     visibleWhen: whenValue('colour'),
   }),
   vectorValue: vector3([0, 0, 0], {
-    help: 'The vector that is handed over.',
+    help: 'The vector that is passed.',
     label: 'Value',
     visibleWhen: whenValue('vector'),
   }),
   objectValue: object(null, {
-    help: 'The object that is handed over.',
+    help: 'The object that is passed.',
     label: 'Value',
     visibleWhen: whenValue('object'),
   }),

@@ -23,7 +23,7 @@ export class FogVolume extends component({
     help: 'Added to the fog of the scene; below 0 it takes fog away, as in a room.',
   }),
   colour: colour([1, 1, 1], { help: 'Share of light that the fog scatters; the rest is absorbed.' }),
-  softness: number(0.5, { min: 0, max: 1, step: 0.05, help: 'How far from its edge it grows to its density.' }),
+  softness: number(0.5, { min: 0, max: 1, step: 0.05, help: 'Depth at which it has its full density.' }),
 }) {
   static override readonly typeName: string = 'FogVolume';
   static override readonly icon: string = 'fog';

@@ -68,14 +68,14 @@ function aimCopy(model: Model, from: Light, to: Light, copies: ReadonlyMap<Objec
 export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),
   parts: string('', {
-    help: 'Nodes of the model that alone are drawn, with all below them: paths such as Arm/Hand, with semicolons between them. The whole model when empty.',
+    help: 'Draws only these nodes of the model, with all below them: paths such as Arm/Hand, with semicolons between them. The whole model when empty.',
   }),
-  castShadow: boolean(true, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
+  castShadow: boolean(true, { help: 'Whether it casts shadows.', label: 'Cast shadow' }),
   receiveShadow: boolean(true, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
   ...objectSurfaceFields,
   surfaceMaterial: string('', {
     choices: 'materials',
-    help: 'The material of the model whose parts wear the surface; all of them when none is chosen.',
+    help: 'The material of the model whose parts get the surface; all of them when none is chosen.',
     label: 'On material',
   }),
   ...morphTargetFields,

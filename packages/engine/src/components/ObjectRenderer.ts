@@ -17,9 +17,9 @@ const flags = new Set(['render', 'castShadow', 'receiveShadow']);
  */
 export class ObjectRenderer extends component({
   mesh: asset('mesh', 'box', { help: 'Shape of the object.' }),
-  render: boolean(true, { help: 'Whether the shape is seen; its other components work on.', label: 'Visible' }),
+  render: boolean(true, { help: 'Whether the shape is drawn; its other components work on.', label: 'Visible' }),
   creaseAngle: creaseAngleField,
-  castShadow: boolean(false, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
+  castShadow: boolean(false, { help: 'Whether it casts shadows.', label: 'Cast shadow' }),
   receiveShadow: boolean(false, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
   instanced: boolean(false, {
     help: 'Draw it in one call with all others of the same mesh and material: for many small things. Colours may differ.',

@@ -234,7 +234,7 @@ const lightTypes = {
   RectAreaLight: 'rectangle',
 } as const;
 
-/** The fields of a Light that shines as a light of three's; null for a kind that there is none of. */
+/** Field values of a Light component that equals a three.js light; null for kinds of lights that Farol lacks. */
 function lightValues(light: ThreeLight): Record<string, FieldValue> | null {
   const type = (lightTypes as Readonly<Record<string, (typeof lightTypes)[keyof typeof lightTypes]>>)[light.type];
   if (!type) return null;

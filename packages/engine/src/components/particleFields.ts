@@ -71,7 +71,7 @@ export const particleFields = {
     min: 0,
     max: 60,
     step: 0.5,
-    help: 'Time that has gone by at the beginning, so that it is in full swing at once.',
+    help: 'Time simulated before the beginning, so that particles are there at once.',
   }),
   capacity: number(1000, {
     ...emission,
@@ -86,7 +86,7 @@ export const particleFields = {
     integer: true,
     min: 0,
     max: 2 ** 31 - 1,
-    help: 'Another number, other particles; the same number, the same particles each time.',
+    help: 'The same number gives the same particles each time.',
   }),
 
   shape: choice('cone', ['point', 'sphere', 'cone', 'box', 'mesh'], {
@@ -99,7 +99,7 @@ export const particleFields = {
     unit: 'm',
     min: 0,
     step: 0.05,
-    help: 'Of the sphere, or of the disc that the cone begins at.',
+    help: 'Radius of the sphere, or of the disc that the cone begins at.',
     ...when('shape', 'sphere', 'cone'),
   }),
   thickness: number(1, {
@@ -114,7 +114,7 @@ export const particleFields = {
     ...shape,
     min: 0,
     max: Math.PI / 2,
-    help: 'Of the side of the cone to its axis, which is the object’s +Y.',
+    help: 'Angle between the side of the cone and its axis, the object’s +Y.',
     ...when('shape', 'cone'),
   }),
   boxSize: vector3([1, 1, 1], {
@@ -151,7 +151,7 @@ export const particleFields = {
   }),
   space: choice('world', ['world', 'local'], {
     ...motion,
-    help: 'What living particles stay with: the world, or the emitter wherever it goes.',
+    help: 'Whether living particles stay in the world or move with the emitter.',
     optionLabels: { world: 'World', local: 'Emitter' },
   }),
   inheritVelocity: number(0, {
@@ -224,7 +224,7 @@ export const particleFields = {
 
   colliderKind: choice('plane', ['plane', 'sphere'], {
     ...motion,
-    help: 'What the objects below are to particles: planes that face their +Y, or spheres of 1 m times their scale.',
+    help: 'Shape of the objects to bounce off: planes that face their +Y, or spheres of 1 m times their scale.',
     label: 'Colliders are',
     optionLabels: { plane: 'Planes', sphere: 'Spheres' },
     ...when('collides', true),
@@ -279,7 +279,7 @@ export const particleFields = {
     unit: 's',
     min: 0,
     step: 0.005,
-    help: 'Length a metre a second of its speed.',
+    help: 'Length for each metre a second of its speed.',
     ...when('render', 'stretched'),
   }),
   texture: asset('texture', null, {
@@ -330,7 +330,7 @@ export const particleFields = {
   }),
   blending: choice('additive', ['blended', 'additive', 'weighted'], {
     ...look,
-    help: 'Over one another as smoke, added up as fire, or over one another in any order where that effect is on.',
+    help: 'Over one another as smoke, added up as fire, or unsorted where order-independent transparency is on.',
     optionLabels: { blended: 'Blended', additive: 'Additive', weighted: 'Weighted (any order)' },
   }),
   softness: number(0.2, {
@@ -358,7 +358,7 @@ export const particleFields = {
     integer: true,
     min: 1,
     max: 1_048_576,
-    help: 'Every so many particles is a light.',
+    help: 'One in this many particles is a light.',
     label: 'Every',
     ...when('shine', true),
   }),
@@ -367,7 +367,7 @@ export const particleFields = {
     unit: 'cd',
     min: 0,
     step: 0.1,
-    help: 'Luminous intensity of each, in its colour, times its opacity.',
+    help: 'Luminous intensity of each light, times colour and opacity of its particle.',
     label: 'Intensity',
     ...when('shine', true),
   }),
@@ -376,7 +376,7 @@ export const particleFields = {
     unit: 'm',
     min: 0,
     step: 0.1,
-    help: 'Range of each, times its size over life.',
+    help: 'Range of each light, times the size over life of its particle.',
     label: 'Range',
     ...when('shine', true),
   }),

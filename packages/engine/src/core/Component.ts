@@ -243,7 +243,7 @@ const called = /^(?:start|lateUpdate|on[A-Z]\w*)$/;
 export function component<const F extends FieldTable>(fields: F): ComponentBase<F> {
   for (const name of Object.keys(fields)) {
     if (called.test(name))
-      throw new Error(`The field '${name}' has the name of a method that is called: give it another name.`);
+      throw new Error(`The field '${name}' has the name of a method of components: give it another name.`);
   }
   abstract class Fielded extends Component {
     static override readonly fields = fields;

@@ -37,7 +37,7 @@ export class ComponentRegistry {
     const { typeName } = componentClass;
     if (!typeName) throw new Error(`The class ${componentClass.name} needs a static typeName.`);
     const known = this.classes.get(typeName);
-    if (known && known !== componentClass) throw new Error(`Another component is called '${typeName}' already.`);
+    if (known && known !== componentClass) throw new Error(`There is a component '${typeName}': choose another name.`);
     this.classes.set(typeName, componentClass);
     return this;
   }

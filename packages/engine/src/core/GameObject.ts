@@ -174,7 +174,7 @@ export class GameObject implements GameObjectContainer {
    */
   remove(child: GameObject): this {
     if (child.container !== this)
-      throw new Error(`'${shortText(child.name)}' is no child of '${shortText(this.name)}'.`);
+      throw new Error(`'${shortText(child.name)}' is not a child of '${shortText(this.name)}'.`);
     moveGameObject(child, null, undefined, { keepWorld: false });
     return this;
   }
@@ -206,9 +206,9 @@ export class GameObject implements GameObjectContainer {
     const registry = this.scene?.registry ?? builtinComponents;
     const component = typeof type === 'string' ? registry.create(type) : typeof type === 'function' ? new type() : type;
     if (component.isAttached)
-      throw new Error(`This ${component.typeName} is already on '${shortText(component.gameObject.name)}'.`);
+      throw new Error(`This ${component.typeName} is on '${shortText(component.gameObject.name)}' already.`);
     if (component.componentClass.unique && this.getComponent(component.typeName)) {
-      throw new Error(`'${shortText(this.name)}' has a ${component.typeName} already, and can have one only.`);
+      throw new Error(`'${shortText(this.name)}' has a ${component.typeName} already, and can have only one.`);
     }
     for (const name of Object.keys(values)) component.set(name, values[name]);
     if (options.enabled === false) component.enabled = false;
@@ -241,7 +241,7 @@ export class GameObject implements GameObjectContainer {
   /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
-    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved within '${shortText(this.name)}'.`);
+    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved: it is the Transform, or elsewhere.`);
     this.componentList.splice(from, 1);
     this.componentList.splice(Math.min(Math.max(index, 1), this.componentList.length), 0, component);
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });
@@ -278,7 +278,7 @@ export class GameObject implements GameObjectContainer {
    * @returns how many components received the call
    */
   callMethod(name: string, ...args: unknown[]): number {
-    if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: it cannot be propagated.`);
+    if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: call another.`);
     let receivers = 0;
     for (const component of [...this.componentList]) {
       const method = (component as unknown as Record<string, unknown>)[name];

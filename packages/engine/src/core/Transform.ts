@@ -18,9 +18,9 @@ const UP: Vector3Tuple = [0, 1, 0];
  * the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
  */
 export class Transform extends component({
-  position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Place relative to the parent.' }),
-  rotation: euler([0, 0, 0], { help: 'Turn about x, then y, then z, relative to the parent.' }),
-  scale: vector3([1, 1, 1], { step: 0.1, help: 'Factor of size along the own axes.' }),
+  position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Position relative to the parent.' }),
+  rotation: euler([0, 0, 0], { help: 'Rotation about x, then y, then z, within the parent.' }),
+  scale: vector3([1, 1, 1], { step: 0.1, help: 'Scale along its own axes.' }),
 }) {
   static override readonly typeName: string = 'Transform';
   static override readonly icon: string = 'transform';

@@ -82,7 +82,7 @@ describe('a component whose class is not known', () => {
 
   test.each([
     ['a list', { rate: [1, 2] }, /values\.rate must be a number, text, true, false, null or \[x, y, z\]/],
-    ['a member of every object', JSON.parse('{ "__proto__": 1 }') as object, /is no name of a field/],
+    ['a member of every object', JSON.parse('{ "__proto__": 1 }') as object, /is not a name that a field can have/],
   ])('holds no %s', async (_, values, message) => {
     const file = serialize(beaconScene());
     file.objects[0].components[1].values = values as never;

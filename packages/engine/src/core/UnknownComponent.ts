@@ -10,7 +10,7 @@ const data: FieldType = { name: 'data', allows: 'a number, text, true, false, nu
  * the registry. Each has a class of its own, whose fields are those named in the data.
  */
 export abstract class UnknownComponent extends Component {
-  static override readonly help: string = 'What brings this component is not here: its data are kept as they are.';
+  static override readonly help: string = 'The script or plugin of this component is missing: its data are kept.';
 }
 
 /** The class of a component that holds the data of a class that is not known. */

@@ -7,7 +7,7 @@ import type { FieldOwner } from './FieldOwner';
  */
 export function defineFieldProperties(prototype: FieldOwner, fields: FieldTable): void {
   for (const name of Object.keys(fields)) {
-    if (name in prototype) throw new Error(`The field '${name}' has the name of a member: give it another name.`);
+    if (name in prototype) throw new Error(`The field '${name}' has the name of a property: give it another name.`);
     Object.defineProperty(prototype, name, {
       configurable: true,
       enumerable: true,

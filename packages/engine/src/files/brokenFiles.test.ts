@@ -34,7 +34,7 @@ const setValue = (name: string, value: unknown): FarolFile =>
 const view = { name: 'Door', position: [1, 2, 3], target: [0, 0, 0], fov: 1, orthographic: false } as const;
 
 const broken: [string, unknown, RegExp][] = [
-  ['no JSON', '{"format": ', /is no JSON/],
+  ['no JSON', '{"format": ', /is not JSON/],
   ['no object', '[]', /must hold an object/],
   ['another format', { format: 'glTF', version: 1 }, /format must be "farol-scene", not "glTF"/],
   ['a newer file', file((_, f) => (f.version = 4)), /version is 4.*up to version 3: update Farol/],
@@ -92,7 +92,7 @@ const broken: [string, unknown, RegExp][] = [
     /components\[0\]\.version is 2, but this Farol knows Light up to version 1/,
   ],
   ['a component version of 0', file((objects) => (objects[0].components[0].version = 0)), /whole number of at least 1/],
-  ['an unknown field', setValue('glow', 1), /values\.glow is no field; the fields are type, colourBy, diffuse/],
+  ['an unknown field', setValue('glow', 1), /values\.glow is unknown; the fields are type, colourBy, diffuse/],
   ['a wrong type', setValue('intensity', '3'), /values\.intensity must be a finite number of at least 0.*not "3"/],
   ['a value out of range', setValue('penumbra', 2), /values\.penumbra must be a finite number from 0 to 1, not 2/],
   ['NaN', setValue('intensity', NaN), /values\.intensity must be .* not NaN/],
@@ -142,7 +142,7 @@ const broken: [string, unknown, RegExp][] = [
   [
     'a prototype for a field',
     JSON.stringify(setValue('near', 1)).replace('"near"', '"__proto__"'),
-    /values\.__proto__ is no field/,
+    /values\.__proto__ is unknown/,
   ],
 ];
 

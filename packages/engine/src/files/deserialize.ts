@@ -73,7 +73,7 @@ async function registerAssets(
     }
     const own = assets.typeOf(name);
     if (own !== type)
-      problems.add(`assets[${i}].type`, `says ${type}, and by its name it is a ${own}: correct one of them.`);
+      problems.add(`assets[${i}].type`, `says ${type}, but its name is that of a ${own}: correct one of them.`);
   });
   problems.throwIfAny();
 }

@@ -224,7 +224,7 @@ test('an asset that cannot be registered leaves none behind', async () => {
     { name: 'wrong.png', type: 'mesh', url: 'data:,abc' },
   ];
   await expect(deserialize(input, { assets })).rejects.toThrow(
-    /:\nassets\[2\]\.type says mesh, and by its name it is a texture/,
+    /:\nassets\[2\]\.type says mesh, but its name is that of a texture/,
   );
   expect(assets.has('no ending')).toBe(false);
   expect(assets.has('first')).toBe(false);

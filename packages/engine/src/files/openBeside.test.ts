@@ -114,7 +114,7 @@ describe('openBeside', () => {
   ])('says that nobody knows the address (%j, %d), and closes the window', async (text, status) => {
     answerWith(text, status);
     const { page, outcome } = await open({ scene });
-    expect(await outcome).toMatch(/^Nobody says where the Lab is: .*\/viewer\/apps\.json\.$/);
+    expect(await outcome).toMatch(/^The address of the Lab is unknown: .*\/viewer\/apps\.json\.$/);
     expect(page.closed).toBe(true);
   });
 

@@ -89,7 +89,7 @@ async function addressOf(app: string, label: string, page: string): Promise<URL>
     // the listed text is no valid address
   }
   if (!address || !/^https?:$/.test(address.protocol)) {
-    throw new Error(`Nobody says where ${label} is: write its address into ${shortText(list.href, 120)}.`);
+    throw new Error(`The address of ${label} is unknown: write it into ${shortText(list.href, 120)}.`);
   }
   return address;
 }

@@ -35,8 +35,8 @@ function parseJson(text: string): unknown {
   } catch (cause) {
     // the browser's quotation of binary data is useless in a message
     const isBinary = /[\0-\b\ufffd]/.test(text.slice(0, 1000));
-    const reason = isBinary ? 'it is no text' : shortText((cause as Error).message, 120);
-    const problem = `is no JSON: ${reason}. Choose a scene that was saved by Farol.`;
+    const reason = isBinary ? 'it is not text' : shortText((cause as Error).message, 120);
+    const problem = `is not JSON: ${reason}. Choose a scene that was saved by Farol.`;
     throw new FileError([{ path: '', problem: `The file ${problem}` }], { cause });
   }
 }

@@ -76,7 +76,9 @@ test('the profile of a light follows its fields, and gives the brightness where 
 test('a file that is no photometric one is told by its line', async () => {
   const { assets } = new Scene();
   assets.registerFile('broken.ies', new Blob(['IESNA91\nTILT=NONE\n1 1000 many']));
-  await expect(assets.load('broken.ies')).rejects.toThrow(/Line 3: "many" is no number; write the candela multiplier/);
+  await expect(assets.load('broken.ies')).rejects.toThrow(
+    /Line 3: "many" is not a number; write the candela multiplier/,
+  );
 });
 
 test.each(['profile/downlight', 'profile/wall-washer', 'profile/street-light'])(

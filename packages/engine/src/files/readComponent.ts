@@ -21,7 +21,7 @@ export function readValues(
     const known = Object.hasOwn(fields, name);
     const problem = known
       ? checkFieldValue(fields[name], each)
-      : `is no field; the fields are ${Object.keys(fields).join(', ')}. Remove it.`;
+      : `is unknown; the fields are ${Object.keys(fields).join(', ')}. Remove it.`;
     if (problem) problems.add(join(path, name), problem);
     else values[name] = each as FieldValue;
   }
@@ -61,7 +61,7 @@ function migrate(type: ComponentClass, record: JsonRecord, path: PathLike, probl
 function readUnknownValues(value: unknown, path: PathLike, problems: ProblemList): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   for (const [name, each] of Object.entries(problems.record(value, path))) {
-    if (name in Object.prototype) problems.add(join(path, name), 'is no name of a field. Remove it.');
+    if (name in Object.prototype) problems.add(join(path, name), 'is not a name that a field can have. Remove it.');
     else if (isFieldValue(each)) values[name] = each;
     else
       problems.add(

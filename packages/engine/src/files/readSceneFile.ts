@@ -38,6 +38,6 @@ export async function readSceneFile(bytes: Uint8Array, mayUnpack?: MayUnpack): P
       fileOf: (path) => (entries.has(path) ? new Blob([entries.get(path)!]) : null),
     };
   }
-  if (textOf(bytes.subarray(0, 4)) === 'glTF') fail('The file is a GLB, no scene of Farol: drop it on Assets.');
+  if (textOf(bytes.subarray(0, 4)) === 'glTF') fail('The file is a GLB, not a scene of Farol: drop it on Assets.');
   return { text: textOf(bytes), fileOf: () => null };
 }

@@ -13,7 +13,7 @@ const isGzip = (bytes: Uint8Array): boolean => bytes[0] === 0x1f && bytes[1] ===
 function checkHeader(data: ArrayBuffer): void {
   const text = new TextDecoder('latin1').decode(new Uint8Array(data, 0, Math.min(HEADER, data.byteLength)));
   const end = text.search(/^end_header\b/m);
-  if (end < 0) throw new Error('the PLY file has no whole header');
+  if (end < 0) throw new Error('the header of the PLY file is incomplete: export it again');
   const elements: { name: string; count: string; properties: number }[] = [];
   for (const line of text.slice(0, end).split(/\r\n?|\n/)) {
     const [word, name = '', count = ''] = line.split(/\s+/, 3);
@@ -25,7 +25,7 @@ function checkHeader(data: ArrayBuffer): void {
     // each property takes at least one byte of the file
     left -= /^\d+$/.test(count) ? Number(count) * Math.max(1, properties) : Infinity;
     if (left >= 0) continue;
-    throw new Error(`the PLY file cannot hold ${shortText(count)} of the element ${shortText(name)}: it is cut short`);
+    throw new Error(`the PLY file is too short for ${shortText(count)} of the element ${shortText(name)}`);
   }
 }
 
@@ -40,11 +40,11 @@ export async function parsePly(data: ArrayBuffer): Promise<BufferGeometry> {
       plain = (await unpack(new Uint8Array(data), 'gzip')).buffer;
     } catch (cause) {
       if (cause instanceof FileError) throw new Error(cause.problems[0].problem, { cause });
-      throw new Error('the gzip data are damaged', { cause });
+      throw new Error('the gzip data are damaged: export it again', { cause });
     }
   }
   const head = new TextDecoder().decode(new Uint8Array(plain, 0, Math.min(4, plain.byteLength)));
-  if (!head.startsWith('ply')) throw new Error('the data are no PLY file: they do not begin with "ply"');
+  if (!head.startsWith('ply')) throw new Error('the data are not a PLY file: they do not begin with "ply"');
   checkHeader(plain);
   let geometry: BufferGeometry;
   try {
@@ -53,7 +53,7 @@ export async function parsePly(data: ArrayBuffer): Promise<BufferGeometry> {
     throw new Error('the PLY data are damaged or cut short: export it again', { cause });
   }
   const positions = geometry.getAttribute('position');
-  if (!positions || positions.count === 0) throw new Error('the PLY file has no vertices');
-  if (!geometry.index || geometry.index.count === 0) throw new Error('the PLY file has no faces');
+  if (!positions || positions.count === 0) throw new Error('the PLY file has no vertices: export it again');
+  if (!geometry.index || geometry.index.count === 0) throw new Error('the PLY file has no faces: export it again');
   return geometry;
 }

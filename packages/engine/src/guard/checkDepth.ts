@@ -9,7 +9,7 @@ export function checkDepth(value: unknown): void {
   let level: unknown[] = [value];
   for (let depth = 0; level.length > 0; depth++) {
     if (depth > fileLimits.jsonDepth) {
-      const problem = `The file holds lists or objects more than ${fileLimits.jsonDepth} deep in one another: it is damaged, or no scene of Farol.`;
+      const problem = `The file holds lists or objects more than ${fileLimits.jsonDepth} deep in one another: it is damaged, or not a scene of Farol.`;
       throw new FileError([{ path: '', problem }]);
     }
     const next: unknown[] = [];

@@ -57,7 +57,7 @@ async function checkGeometry(geometry: BufferGeometry, name: string, slices: Sli
     }
   }
   const reach = await reachOf(positions, slices);
-  if (Number.isNaN(reach)) throw new Error(`${name} has positions that are no numbers: export it again.`);
+  if (Number.isNaN(reach)) throw new Error(`${name} has positions that are not numbers: export it again.`);
   return reach;
 }
 

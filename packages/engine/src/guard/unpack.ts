@@ -70,7 +70,7 @@ export async function unpack(
       parts.push(value);
       length += value.length;
       if (most !== undefined) {
-        if (length > most) throw new RangeError('more comes out than may');
+        if (length > most) throw new RangeError('it unpacks to more than it may');
         continue;
       }
       const sizes = { packed: bytes.length, unpacked: length };
@@ -84,7 +84,7 @@ export async function unpack(
     reader.cancel().catch(() => {});
     throw error;
   }
-  if (exact !== undefined && length !== exact) throw new TypeError('less comes out than was said');
+  if (exact !== undefined && length !== exact) throw new TypeError('it unpacks to less than its size says');
   const whole = new Uint8Array(length);
   let at = 0;
   for (const part of parts) {

@@ -47,8 +47,8 @@ export const characterFields = {
     help: 'How far down it keeps to the ground, on stairs and slopes.',
     label: 'Snap to ground',
   }),
-  height: number(1.8, { unit: 'm', min: 0.01, step: 0.05, help: 'Of the capsule that it is.', ...body }),
-  radius: number(0.3, { unit: 'm', min: 0.005, step: 0.05, help: 'Of the capsule that it is.', ...body }),
+  height: number(1.8, { unit: 'm', min: 0.01, step: 0.05, help: 'Height of its capsule.', ...body }),
+  radius: number(0.3, { unit: 'm', min: 0.005, step: 0.05, help: 'Radius of its capsule.', ...body }),
   centre: vector3([0, 0.9, 0], {
     unit: 'm',
     step: 0.05,

@@ -49,7 +49,7 @@ export const colliderFields = {
     min: 0,
     max: 100,
     step: 0.05,
-    help: '0 slides as on ice; that of two bodies is the mean.',
+    help: '0 slides as on ice; between two bodies the mean counts.',
     ...solid,
   }),
   restitution: number(0, {

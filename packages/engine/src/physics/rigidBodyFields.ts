@@ -20,7 +20,7 @@ export const rigidBodyFields = {
     unit: 'kg',
     min: 0.0001,
     step: 0.1,
-    help: 'Of the whole body.',
+    help: 'Mass of the whole body.',
     visibleWhen: { field: 'massFrom', equals: ['mass'] },
   }),
   gravityScale: number(1, { step: 0.1, help: "Factor of the scene's gravity.", label: 'Gravity factor', ...dynamic }),

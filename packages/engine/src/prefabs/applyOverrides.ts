@@ -14,7 +14,7 @@ import { planPrefabChange, type PrefabPlan } from './planPrefabChange';
 function prefabOf(root: GameObject | null): { root: GameObject; prefab: Prefab } {
   const id = root?.prefabLink?.prefab ?? '';
   const prefab = root?.scene?.prefabs.get(id);
-  if (!root || !prefab) throw new PrefabError(id, 'is not there, or the object is no instance of it.');
+  if (!root || !prefab) throw new PrefabError(id, 'is not in the scene, or the object is not an instance of it.');
   return { root, prefab };
 }
 

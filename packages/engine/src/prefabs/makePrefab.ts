@@ -23,7 +23,7 @@ export function makePrefab(object: GameObject, name = object.name, id = createId
   if (outer && outer !== object) {
     throw new PrefabError(
       name,
-      `cannot be made of a part of '${shortText(outer.name)}', an instance itself: unpack that first.`,
+      `cannot be made of a part of '${shortText(outer.name)}', which is an instance itself: unpack that first.`,
     );
   }
   return readPrefab(object, name, id, new Map([[object, id]]));

@@ -146,7 +146,7 @@ test('fields need no help; what they cannot begin with is told by the name of th
   expect(currentOf(component).fields.rate).toEqual({ kind: 'number', default: 1, help: '' });
   await edit(scene, scripts, 'Spin', spin('rate: number(), name: string("a")', ''));
   expect(problems(scripts)).toEqual([
-    "Spin, line 3: what its field 'rate' is at first must be a finite number, not nothing.",
+    "Spin, line 3: the default of its field 'rate' must be a finite number, not nothing.",
   ]);
   expect(currentOf(component).get('rate')).toBe(3);
 });

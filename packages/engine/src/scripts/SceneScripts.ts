@@ -216,7 +216,7 @@ export class SceneScripts {
     const entry = this.entry(asset);
     const { newest } = entry;
     if (newest) return newest;
-    throw entry.resultError ?? new ScriptError(name, 'it is still being read.');
+    throw entry.resultError ?? new ScriptError(name, 'it is still being loaded: wait for it.');
   }
 
   /** Compiles new texts, and updates the scene once all are compiled. */

@@ -92,7 +92,7 @@ export class ScriptModules {
     imports.add(name);
     if (this.running.includes(name)) {
       const ring = [...this.running.slice(this.running.indexOf(name)), name].join(' imports ');
-      return fail(`it makes a circle: ${ring}. Move what both need to a script of its own.`);
+      return fail(`it imports itself in a circle: ${ring}. Move what they share to a script of its own.`);
     }
     return this.load(name).exports;
   }

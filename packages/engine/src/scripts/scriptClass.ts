@@ -28,7 +28,7 @@ export function scriptClass({ name, exports }: ScriptModule, source: string, had
   }
   if (typeof type !== 'function' || !((type.prototype as unknown) instanceof Component)) {
     return fail(
-      'its default export is no class of components: write `export default class … extends component({ … })`.',
+      'its default export is not a component class: write `export default class … extends component({ … })`.',
     );
   }
   for (const [field, declared] of Object.entries(type.fields)) {
@@ -37,7 +37,7 @@ export function scriptClass({ name, exports }: ScriptModule, source: string, had
         `its field '${field}' is not declared: write number(1), boolean(true) or another field of '@farol/engine/fields'.`,
       );
     const problem = checkFieldValue(declared, declared.default);
-    if (problem !== null) fail(`what its field '${field}' is at first ${problem}.`);
+    if (problem !== null) fail(`the default of its field '${field}' ${problem}.`);
   }
   if (!Object.hasOwn(type, 'typeName') || !type.typeName) {
     Object.defineProperty(type, 'typeName', { value: typeNameOf(name), configurable: true });

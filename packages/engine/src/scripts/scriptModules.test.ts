@@ -92,7 +92,7 @@ test('what cannot be imported is told with script, line and mend', async () => {
   });
   expect(messages(made)).toEqual(
     [
-      'B, line 1: it makes a circle: A imports B imports A. Move what both need to a script of its own.',
+      'B, line 1: it imports itself in a circle: A imports B imports A. Move what they share to a script of its own.',
       "C, line 1: it imports 'fs', which is not there: scripts can import 'three', '@farol/engine', '@farol/engine/fields', and other scripts as './name'.",
       "D, line 3: it imports './gone', and there is no such script: create it, or correct the name.",
     ]
@@ -118,7 +118,7 @@ test('a default export that is no class of components, a field that is none and 
     'y/Twice': `${imports}export default class extends component({}) {}`,
   });
   expect(messages(made)).toEqual([
-    'A, line 1: its default export is no class of components: write `export default class … extends component({ … })`.',
+    'A, line 1: its default export is not a component class: write `export default class … extends component({ … })`.',
     "B, line 3: its field 'rate' is not declared: write number(1), boolean(true) or another field of '@farol/engine/fields'.",
     'C, line 3: no',
     "Light: there is a component 'Light' of Farol or a plugin already: give the script another name, or its class another typeName.",

@@ -34,7 +34,7 @@ export const bakeFields = {
   bakeSky: boolean(true, { help: 'Sky and environment light what is baked.', label: 'Light from the sky' }),
   bakeDenoise: boolean(true, { help: 'Takes out the noise that is left.', label: 'Denoise' }),
   bakeStitch: boolean(true, {
-    help: 'Light meets where a smooth surface is cut for its lightmap; else the cuts may show as lines.',
+    help: 'Makes light agree on both sides where a smooth surface is cut for its lightmap; else the cuts may show as lines.',
     label: 'Stitch seams',
   }),
   bakeProbes: boolean(true, {

@@ -5,7 +5,7 @@ export const focusFields = (shown: { readonly visibleWhen: FieldCondition }) => 
   focusDistance: number(10, {
     unit: 'm',
     min: 0.01,
-    help: 'Distance from the camera of what is sharp.',
+    help: 'Distance from the camera at which things are sharp.',
     label: 'Focus distance',
     ...shown,
   }),

@@ -184,12 +184,12 @@ export const toneMappingFields = {
 };
 
 export const bloomFields = {
-  bloom: boolean(false, { help: 'What is bright shines over what is beside it.' }),
+  bloom: boolean(false, { help: 'Bright things glow over their surroundings.' }),
   bloomIntensity: number(0.6, {
     min: 0,
     max: 10,
     step: 0.05,
-    help: 'How much it shines.',
+    help: 'How much they glow.',
     label: 'Strength',
     ...on('bloom'),
   }),
@@ -197,7 +197,7 @@ export const bloomFields = {
     min: 0,
     max: 100,
     step: 0.05,
-    help: 'Luminance from which on things shine; 1 is a white surface in full light.',
+    help: 'Luminance from which on things glow; 1 is a white surface in full light.',
     label: 'Threshold',
     ...on('bloom'),
   }),
@@ -285,7 +285,7 @@ export const shadowFields = {
 };
 
 export const renderingFields = {
-  technique: custom(techniqueType, 'auto', { help: 'By what the scene is drawn; "Automatic" picks what is fastest.' }),
+  technique: custom(techniqueType, 'auto', { help: 'How the scene is lit and drawn; "Automatic" picks the fastest.' }),
   quality: choice('auto', ['auto', 'full', 'lite'], {
     help: 'Lite holds less memory for surfaces and shadows. Automatic takes it on phones and weak devices.',
     optionLabels: { auto: 'Automatic', full: 'Full', lite: 'Lite' },

@@ -92,7 +92,7 @@ export const effects = {
         min: 0.01,
         max: 100,
         step: 0.05,
-        help: 'How far off things close a corner.',
+        help: 'Distance within which surfaces darken a corner.',
         label: 'Occlusion radius',
       },
       occlusionStrength: {
@@ -147,7 +147,7 @@ export const effects = {
         min: -0.95,
         max: 0.95,
         step: 0.05,
-        help: 'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.',
+        help: 'Above 0 fog scatters light forwards, and lamps have halos; below 0 backwards.',
         label: 'Fog anisotropy',
       },
       volumetricHeight: {

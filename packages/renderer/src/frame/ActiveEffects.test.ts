@@ -37,7 +37,7 @@ it.each([
   ['a list of null', [null]],
 ])('refuses %s in one sentence', (_, given) => {
   expect(() => refuseConflicts(given as unknown as FarolEffect[])).toThrow(
-    'Farol: effects is a list of objects, such as [new TAA()].',
+    'Farol: effects is not a list of effects; give one, such as [new TAA()].',
   );
 });
 

@@ -45,7 +45,7 @@ function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffe
 export function refuseConflicts(effects: readonly FarolEffect[]): void {
   // JavaScript hosts may set a single effect, a class or a name
   if (!Array.isArray(effects) || !effects.every((effect: Partial<FarolEffect> | null) => effect?.dispose))
-    throw new Error('Farol: effects is a list of objects, such as [new TAA()].');
+    throw new Error('Farol: effects is not a list of effects; give one, such as [new TAA()].');
   const owners = new Map<string, FarolEffect>();
   for (const effect of effects) {
     for (const claim of claimsOf(effect)) {

@@ -76,7 +76,7 @@ it('is fetched once for all who wait for it', async () => {
 it('is used once it is there, and asked for by that until then', async () => {
   const fetch = vi.fn<() => Promise<Code>>(() => Promise.resolve(CODE));
   const lazy = new Lazy<Code>('views', fetch, 'the picture is shown');
-  expect(() => lazy.required).toThrow('the code of views is not there; await FarolRenderer.preload() first');
+  expect(() => lazy.required).toThrow('the code of views is not loaded; await FarolRenderer.preload() first');
   expect(lazy.use(({ text }) => text.length)).toBeNull();
   expect(lazy.isThere).toBe(false);
   await vi.advanceTimersByTimeAsync(0);

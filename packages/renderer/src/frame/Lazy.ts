@@ -54,7 +54,7 @@ export class Lazy<Code extends object, Name extends string = string> {
   /** The fetched code. @throws Error while it is not loaded */
   get required(): Code {
     if (this.code === null)
-      throw new Error(`Farol: the code of ${this.name} is not there; await FarolRenderer.preload() first.`);
+      throw new Error(`Farol: the code of ${this.name} is not loaded; await FarolRenderer.preload() first.`);
     return this.code;
   }
 

@@ -11,7 +11,7 @@ export function validatePasses(technique: string, passes: readonly ResourceUser[
     for (const resource of pass.reads) {
       if (!written.has(resource)) throw nobodyWrites(technique, pass.name, resource);
       if (resource !== 'target' && pass.writes.includes(resource)) {
-        throw new Error(`Technique "${technique}": pass "${pass.name}" reads and writes "${resource}"; write another.`);
+        throw new Error(`Technique "${technique}": pass "${pass.name}" reads and writes "${resource}"; use two.`);
       }
     }
     for (const resource of pass.writes) written.add(resource);

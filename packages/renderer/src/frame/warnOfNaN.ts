@@ -13,6 +13,6 @@ export function warnOfNaN(camera: Camera, object: Object3D | null = null): void 
   if (lost === null || warned.has(lost)) return;
   warned.add(lost);
   console.warn(
-    `Farol: ${lost.type} "${lost.name || lost.uuid}" has a matrix, positions, fov or aspect with NaN; set them.`,
+    `Farol: ${lost.type} "${lost.name || lost.uuid}" has NaN in its matrix, positions, fov or aspect; set finite numbers.`,
   );
 }

@@ -80,10 +80,10 @@ describe('a light field', () => {
   it('says what is wrong', () => {
     expect(() => new LightField(-1)).toThrow('capacity is -1');
     expect(() => new LightField(NaN)).toThrow(RangeError);
-    expect(() => new LightField(2).setPosition(2, 0, 0, 0)).toThrow('there is no light 2; there are 2');
+    expect(() => new LightField(2).setPosition(2, 0, 0, 0)).toThrow('there is no light 2; give an index below 2');
     expect(() => new LightField(2).setCone(0, 0, 1, 0, 1)).toThrow('make the field with { spots: true }');
     const textures = { sphere: new Texture(), emission: new Texture() };
-    expect(() => new LightField(2, { textures }).setRange(0, 1)).toThrow('by writing the textures');
+    expect(() => new LightField(2, { textures }).setRange(0, 1)).toThrow('in textures; write those');
     expect(() => new LightField(2).copy(new LightField(3))).toThrow('clone() the field');
   });
 });

@@ -147,8 +147,8 @@ export class LightField extends Light {
   private check(light: number): void {
     if (light >= 0 && light < this.capacity && this.textures === null) return;
     throw this.textures === null
-      ? new RangeError(`LightField: there is no light ${light}; there are ${this.capacity}.`)
-      : new Error('LightField: lights of a field with textures are set by writing the textures.');
+      ? new RangeError(`LightField: there is no light ${light}; give an index below ${this.capacity}.`)
+      : new Error('LightField: the lights of this field are in textures; write those to set them.');
   }
 }
 

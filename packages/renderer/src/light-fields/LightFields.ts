@@ -188,8 +188,8 @@ function warnOfShadow(field: LightField): void {
   if (told.has(field)) return;
   told.add(field);
   console.warn(
-    `Farol: LightField "${field.name || field.uuid}" has castShadow, but lights of a field cast no shadows; use ` +
-      `PointLights or SpotLights for those that are to.`,
+    `Farol: LightField "${field.name || field.uuid}" has castShadow, but its lights cast no shadows; use ` +
+      `PointLights or SpotLights for those that must.`,
   );
 }
 

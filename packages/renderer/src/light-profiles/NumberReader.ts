@@ -26,7 +26,7 @@ export class NumberReader {
   number(what: string): number {
     while (this.word >= this.words.length) {
       if (this.next >= this.lines.length) {
-        throw new IESError(this.lines.length, `the file ends before ${what}; get a whole copy of the file.`);
+        throw new IESError(this.lines.length, `the file ends before ${what}; get a complete copy of the file.`);
       }
       this.words = this.lines[this.next++].split(/[\s,]+/).filter((word) => word !== '');
       this.word = 0;
@@ -36,7 +36,7 @@ export class NumberReader {
     const value = Number(word);
     // the pattern last: it takes time by the square of digits that end in something else
     if (!Number.isFinite(value) || !/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(word)) {
-      throw new IESError(this.line, `"${word.slice(0, QUOTED)}" is no number; write ${what} there.`);
+      throw new IESError(this.line, `"${word.slice(0, QUOTED)}" is not a number; write ${what} there.`);
     }
     return value;
   }

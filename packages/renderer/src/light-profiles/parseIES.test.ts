@@ -181,7 +181,7 @@ test('the tilt of lamps that is in another file is read from there, and what is 
   const tilt = `\uFEFF${numbers.slice(0, 4).join('\r\n')}\r\n\x1a`;
   expect(parseIES(text, { tilt })).toEqual(own);
   expect(() => parseIES(text, { tilt: '2 3\n0 45 90\n1 x' })).toThrow(
-    /^Line 7: in "Lamps\\TROUGH\.TLT", line 3: "x" is no number; write tilt factors there\.$/,
+    /^Line 7: in "Lamps\\TROUGH\.TLT", line 3: "x" is not a number; write tilt factors there\.$/,
   );
   for (const each of ['NONE', 'include', '']) expect(tiltFileOf(`IESNA91\nTILT=${each}\n1`)).toBeNull();
   expect(tiltFileOf('no photometric file')).toBeNull();
@@ -253,17 +253,17 @@ test('a plane at 360° that a file leaves out is that at 0', () => {
 
 const HEAD = 'IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n';
 test.each([
-  ['', 'Line 1: there is no line that begins with TILT=; choose a photometric file of the LM-63 standard (.ies).'],
+  ['', 'Line 1: there is no line that begins with TILT=; choose a photometric file in the LM-63 format (.ies).'],
   ['<!doctype html>\n<p>Not found', 'Line 1: there is no line that begins with TILT='],
   [
     'IESNA91\nTILT=LAMP.TLT\n',
     'Line 2: the tilt of lamps is in another file, "LAMP.TLT"; give that one too, or write TILT=INCLUDE and its numbers after this line, or TILT=NONE.',
   ],
   ['IESNA91\nTILT=INCLUDE\n4\n', 'Line 3: the lamp-to-luminaire geometry is 4; write a whole number from 1 to 3.'],
-  [`${HEAD}1 1000 x`, 'Line 4: "x" is no number; write the candela multiplier there.'],
-  [`${HEAD}1 1000 1 0x10 1`, 'Line 4: "0x10" is no number; write the number of vertical angles there.'],
+  [`${HEAD}1 1000 x`, 'Line 4: "x" is not a number; write the candela multiplier there.'],
+  [`${HEAD}1 1000 1 0x10 1`, 'Line 4: "0x10" is not a number; write the number of vertical angles there.'],
   [`${HEAD}1 1000 1\n1.5 1`, 'Line 5: the number of vertical angles is 1.5; write a whole number from 2 to 3601.'],
-  [`${HEAD}1 1000 1\n3601 3601 1`, 'Line 5: 3601 × 3601 candelas are too many; leave angles out.'],
+  [`${HEAD}1 1000 1\n3601 3601 1`, 'Line 5: 3601 × 3601 candela values are too many; use fewer angles.'],
   [`${HEAD}1 1000 1 2 1 7`, 'Line 4: the photometric type is 7; write a whole number from 1 to 3.'],
   [
     `${HEAD}1 1000 1 3 1 1 2 0 0 0 1 1 0\n0 90\n45`,
@@ -283,7 +283,7 @@ test.each([
   ],
   [
     `${HEAD}1 1000 1 2 1 1 2 0 0 0 1 1 0\n0 90\n0\n1\n`,
-    'Line 7: the file ends before candelas; get a whole copy of the file.',
+    'Line 7: the file ends before candelas; get a complete copy of the file.',
   ],
 ])('a broken file is told by its line and what to do about it: %j', (text, message) => {
   expect(() => parseIES(text)).toThrow(message);
@@ -292,7 +292,7 @@ test.each([
 test('a file of long lines is read, and told by its line', () => {
   const head = (blanks: number) => `IESNA:LM-63-2002\n[TEST] a${' '.repeat(blanks)}b\nTILT=NONE\n`;
   // a pattern that tries every end of such a line takes minutes: then the test runner's limit ends the test
-  expect(() => parseIES(`${head(1_000_000)}1 ${'1'.repeat(300_000)}x`)).toThrow(/Line 4: "1+" is no number/);
+  expect(() => parseIES(`${head(1_000_000)}1 ${'1'.repeat(300_000)}x`)).toThrow(/Line 4: "1+" is not a number/);
   const whole = fileOf('lm63-1986-rotational').replace(/^/, 'IESNA:LM-63-2002\n[TEST]   two  words \t\n');
   expect(parseIES(whole).keywords.get('TEST')).toBe('two  words');
 });

@@ -47,7 +47,7 @@ export function parseIES(text: string, { tilt: tiltText = null }: IESOptions = {
   if (tiltLine < 0) {
     throw new IESError(
       1,
-      'there is no line that begins with TILT=; choose a photometric file of the LM-63 standard (.ies).',
+      'there is no line that begins with TILT=; choose a photometric file in the LM-63 format (.ies).',
     );
   }
   const version = versionOf(lines[0]);
@@ -59,7 +59,7 @@ export function parseIES(text: string, { tilt: tiltText = null }: IESOptions = {
   const vertical = reader.count('the number of vertical angles', 2, MOST_ANGLES);
   const horizontal = reader.count('the number of horizontal angles', 1, MOST_ANGLES);
   if (vertical * horizontal > MOST_CANDELAS) {
-    throw new IESError(reader.line, `${vertical} × ${horizontal} candelas are too many; leave angles out.`);
+    throw new IESError(reader.line, `${vertical} × ${horizontal} candela values are too many; use fewer angles.`);
   }
   const type = TYPES[reader.count('the photometric type', 1, 3) - 1];
   const metres = reader.count('the unit of lengths (1 feet, 2 metres)', 1, 2) === 1 ? METRES_PER_FOOT : 1;

@@ -106,7 +106,7 @@ export class GridLights {
     let top = y + radius;
     if (frame.perspective) {
       if (depth - radius > near && depth + radius < far) {
-        // as slopeBounds of a whole sphere, for x and y at once
+        // slopeBounds of a sphere that is not clipped, for x and y at once
         const squared = depth * depth - radius * radius;
         const rootX = radius * Math.sqrt(x * x + squared);
         const rootY = radius * Math.sqrt(y * y + squared);

@@ -57,7 +57,7 @@ export class VisibleLights {
   /** Shadows, light layers and area lights of the last frame whose lights were collected. */
   protected settings: MaskSettings | null = null;
   private kept = 0;
-  /** Read by `collect` where none were read before. */
+  /** Values of plain point lights, read by `collect` when the caller has not read them yet. */
   private ownPoints: PlainPoints = new Float64Array(0);
   private readonly facts = new LightFacts();
   private readonly space: ViewSpace = { view: new Matrix4(), projection: [], planes: new Float64Array(24) };

@@ -175,7 +175,7 @@ export class LightFacts {
     if (this.warned.has(light)) return;
     this.warned.add(light);
     console.warn(
-      `Farol: ${light.type} "${light.name || light.uuid}" is left out: its place, colour or another value is not a finite number; set one.`,
+      `Farol: ${light.type} "${light.name || light.uuid}" is left out: its position, colour or another value is not a finite number; set one.`,
     );
   }
 }

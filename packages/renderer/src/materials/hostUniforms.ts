@@ -8,7 +8,7 @@ type Uniforms = Record<string, IUniform>;
  * given last and sets the uniforms of that: three draws the material by them, whatever programs it has, and so do all twins.
  */
 const added = new WeakMap<Material, Uniforms>();
-/** Uniforms in `added` with which stock three draws a material. */
+/** Entry of `added` whose uniforms stock three draws the material with. */
 const followed = new WeakMap<Material, Uniforms>();
 
 /**

@@ -180,9 +180,9 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   remove(name: string): void {
     const before = this.swapped.get(name);
     if (!this.own.has(name) || (before && !this.edited.has(name)))
-      throw new Error(`Microshader "${name}" is as it was; there is nothing to take back.`);
+      throw new Error(`Microshader "${name}" was not replaced; there is nothing to restore.`);
     const user = before || this.original(name) ? undefined : this.usersOf(name).find((other) => other !== name);
-    if (user) throw new Error(`Microshader "${name}" is needed by "${user}"; change that one first.`);
+    if (user) throw new Error(`Microshader "${name}" is included by "${user}"; change that one first.`);
     this.put(name, before);
     this.edited.delete(name);
   }

@@ -28,7 +28,7 @@ export function addMicroShaders(
     if (before === undefined && (!registry.has(name) || registry.isEarly(name))) return true;
     if (before?.text === text) return false;
     throw new Error(
-      `Microshader "${name}" of ${owner} is another text than that of ${before?.owner ?? 'Farol'}; give it a name of its own.`,
+      `Microshader "${name}" of ${owner} differs from that of ${before?.owner ?? 'Farol'}; give it another name.`,
     );
   });
   const chunks = fresh.map(([name, text]) => parseMicroShader(name, text));

@@ -58,7 +58,7 @@ function check(farol: FarolRenderer, camera: Camera): TechniqueName {
   if ((camera as ArrayCamera).isArrayCamera === true)
     throw new Error('explainPixel: an ArrayCamera has several pictures; give one of its cameras and its size.');
   const drawn = (technique === 'auto' ? info.technique : technique) as TechniqueName | '';
-  if (drawn === '') throw new Error("explainPixel: 'auto' has picked no technique yet; draw a frame before.");
+  if (drawn === '') throw new Error("explainPixel: 'auto' has picked no technique yet; draw a frame first.");
   return drawn;
 }
 
@@ -84,7 +84,7 @@ class PixelWork {
     if (!(Math.abs(x) <= 1 && Math.abs(y) <= 1))
       throw new RangeError(`explainPixel: the pointer is (${x}, ${y}); give numbers from -1 to 1.`);
     this.most = options.most ?? 128;
-    if (!(this.most >= 1)) throw new RangeError(`explainPixel: most is ${this.most}; give a number from 1.`);
+    if (!(this.most >= 1)) throw new RangeError(`explainPixel: most is ${this.most}; give a number of at least 1.`);
     this.technique = check(farol, camera);
     const { width, height } = options.size ?? farol.webgl.getDrawingBufferSize(new Vector2());
     this.size = { width, height };

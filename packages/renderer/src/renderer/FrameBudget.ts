@@ -34,10 +34,10 @@ export function checkBudget(budget: FrameBudget): Required<FrameBudget> {
   const all: Required<FrameBudget> = { ...DEFAULTS, ...budget };
   const { frame, min, max, sharpness } = all;
   const wrong =
-    !(frame > 0 && frame < Infinity) ? 'frame is to be milliseconds above 0'
-    : !(max >= 0.25 && max <= 1) ? 'max is to be 0.25 to 1'
-    : !(min >= 0.25 && min <= max) ? 'min is to be 0.25 to max'
-    : !(sharpness >= 0 && sharpness <= 1) ? 'sharpness is to be 0 to 1' : null; // prettier-ignore
+    !(frame > 0 && frame < Infinity) ? 'give a frame above 0 ms'
+    : !(max >= 0.25 && max <= 1) ? 'give a max from 0.25 to 1'
+    : !(min >= 0.25 && min <= max) ? 'give a min from 0.25 to max'
+    : !(sharpness >= 0 && sharpness <= 1) ? 'give a sharpness from 0 to 1' : null; // prettier-ignore
   if (wrong !== null)
     throw new RangeError(
       `FarolRenderer: budget is { frame: ${frame}, min: ${min}, max: ${max}, sharpness: ${sharpness} }; ${wrong}.`,

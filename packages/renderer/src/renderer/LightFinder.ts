@@ -78,7 +78,7 @@ export class LightFinder {
     if (!this.warned) {
       this.warned = true;
       console.warn(
-        `Farol: a changed lights chunk, or an onBeforeCompile without #include <lights_fragment_begin>, leaves three to draw ${this.found.left} lights; it can draw ${most}. These materials are drawn without lights.`,
+        `Farol: where an onBeforeCompile takes #include <lights_fragment_begin> out, or the chunk was changed, three lights the material; it can take ${most} of the ${this.found.left} lights, so such materials are unlit. Keep the chunk.`,
       );
     }
     return true;

@@ -19,14 +19,14 @@ export class TechniqueSet {
 
   /** @throws Error when there is a technique of that name */
   add(name: string, technique: Technique): void {
-    if (Object.hasOwn(this.known, name)) throw new Error(`Farol: there is a technique "${name}"; choose another name.`);
+    if (Object.hasOwn(this.known, name)) throw new Error(`Farol: technique "${name}" exists; choose another name.`);
     this.known[name] = technique;
   }
 
   /** Removes an added technique and frees its passes. @throws Error when none was added by that name */
   remove(name: string): void {
     if (!Object.hasOwn(this.known, name) || Object.hasOwn(techniques, name))
-      throw new Error(`Farol: no technique "${name}" was added; only added ones can be removed.`);
+      throw new Error(`Farol: technique "${name}" was not added; only added ones can be removed.`);
     for (const pass of this.lists.get(name) ?? []) pass.dispose();
     this.lists.delete(name);
     delete this.known[name];

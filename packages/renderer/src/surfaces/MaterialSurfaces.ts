@@ -126,7 +126,7 @@ export class MaterialSurfaces implements WornSurfaces {
   rewrite(shader: TwinShader, registry: MicroShaderRegistry, webgl: WebGLRenderer): void {
     const used = this.list.filter(({ surface }) => {
       const problem = surface.addTo(registry, webgl);
-      if (problem) console.warn(`Farol draws without a surface: ${problem.message}`);
+      if (problem) console.warn(`Farol: an object is drawn without its surface: ${problem.message}`);
       return surface.isUsable(registry);
     });
     for (const worn of this.list) this.complete(worn);

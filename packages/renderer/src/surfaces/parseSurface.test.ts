@@ -62,7 +62,7 @@ ${HOOK}`);
     [`uniform bool a; // = 1\n${HOOK}`, 1, 'the default of "a" is true or false'],
     [`uniform vec3 a; // = 1, 2\n${HOOK}`, 1, 'the default of "a" is 3 numbers'],
     [`uniform float a; // = 1 [2, 1]\n${HOOK}`, 1, 'the range of "a" ends before it begins'],
-    ['float a;', 1, 'a surface has void surface(inout SurfaceData s)'],
+    ['float a;', 1, 'write void surface(inout SurfaceData s)'],
     ['\nvoid surface(SurfaceData s) {}', 2, 'write void surface(inout SurfaceData s)'],
     [`${HOOK}\nvoid main() {}`, 2, 'no main()'],
   ])('refuses %j', (text, line, message) => {

@@ -42,8 +42,7 @@ export function parseSurface(name: string, source: string, prefix: string): Pars
   const body = (hook: keyof typeof HOOKS) => heads.find((head) => head.name === hook && head.end > 0);
   const paint = body('surface');
   const displace = body('displace');
-  if (!paint && !displace)
-    throw surfaceError(name, text, 1, `a surface has ${HOOKS.surface}, ${HOOKS.displace}, or both`);
+  if (!paint && !displace) throw surfaceError(name, text, 1, `write ${HOOKS.surface}, ${HOOKS.displace}, or both`);
   for (const [hook, found] of [
     ['surface', paint],
     ['displace', displace],

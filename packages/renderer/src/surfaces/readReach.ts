@@ -36,7 +36,7 @@ export function readReach(name: string, text: string, uniforms: readonly Surface
             name,
             text,
             at + 1,
-            `"${part}" is no number and no float or int uniform: write the reach as // reach: 0.1 + 2 * height`,
+            `"${part}" is neither a number nor a float or int uniform: write the reach as // reach: 0.1 + 2 * height`,
           );
       }
       return { factor, names };

@@ -26,7 +26,7 @@ function surfacesOf(material: Material): MaterialSurfaces {
   if (known instanceof MaterialSurfaces) return known;
   if (!canWearSurface(material))
     throw new Error(
-      `Material "${material.name || material.type}" cannot wear a surface: give its object a MeshStandardMaterial, MeshPhysicalMaterial, MeshLambertMaterial, MeshPhongMaterial, MeshToonMaterial, MeshBasicMaterial or MeshMatcapMaterial.`,
+      `Material "${material.name || material.type}" cannot have a surface: give its object a MeshStandardMaterial, MeshPhysicalMaterial, MeshLambertMaterial, MeshPhongMaterial, MeshToonMaterial, MeshBasicMaterial or MeshMatcapMaterial.`,
     );
   return new MaterialSurfaces(material);
 }

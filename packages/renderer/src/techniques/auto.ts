@@ -12,6 +12,6 @@ export const auto: Technique = {
   // the chooser picks a technique that writes what effects need
   writes: ['gbuffer'],
   passes() {
-    throw new Error('Farol: "auto" has no passes; those of the technique that it picks draw.');
+    throw new Error('Farol: "auto" has no passes of its own; ask the technique that it picks.');
   },
 };

@@ -28,7 +28,7 @@ export async function readPixels(
   const gl = webgl.getContext() as WebGL2RenderingContext;
   if (gl.isContextLost()) return false;
   const { __webglFramebuffer } = webgl.properties.get(target) as { __webglFramebuffer?: WebGLFramebuffer };
-  if (!__webglFramebuffer) throw new Error('The render target has no pixels to read: draw to it first.');
+  if (!__webglFramebuffer) throw new Error('The render target has nothing to read yet: draw to it first.');
   webgl.state.bindFramebuffer(gl.FRAMEBUFFER, __webglFramebuffer);
   const buffer = gl.createBuffer();
   gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
@@ -71,7 +71,7 @@ function isReached(gl: WebGL2RenderingContext, sync: WebGLSync): Promise<boolean
         return;
       }
       if (state === gl.WAIT_FAILED && !gl.isContextLost()) {
-        reject(new Error('The browser cannot wait for the GPU (clientWaitSync failed): draw again.'));
+        reject(new Error('The browser could not wait for the GPU (clientWaitSync failed): draw again.'));
       }
       end(state !== gl.WAIT_FAILED);
     };

@@ -9,7 +9,7 @@ interface LightGrid {
   side: number;
   /** Height of what they light, in metres. */
   floor: number;
-  /** Whether the first four throw shadows; they do not when absent. */
+  /** Whether the first four cast shadows; they do not when absent. */
   shadows?: boolean;
 }
 

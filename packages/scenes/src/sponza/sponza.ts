@@ -13,7 +13,7 @@ export interface SponzaOptions extends SceneBuildOptions {
   model?: Object3D;
   /** Width of the generated textures in texels: 128, 256 or 512; 256 when absent. */
   textureSize?: 128 | 256 | 512;
-  /** How many of the moving lights throw shadows; none when absent. */
+  /** How many of the moving lights cast shadows; none when absent. */
   shadowLights?: number;
   /** The lights stand still; they move when absent. */
   still?: boolean;

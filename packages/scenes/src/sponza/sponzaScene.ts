@@ -16,9 +16,9 @@ export const sponzaScene = defineScene({
       integer: true,
       min: 0,
       max: 20000,
-      help: 'How many of the lights throw shadows (six faces of 512 texels each).',
+      help: 'How many of the lights cast shadows (six faces of 512 texels each).',
     }),
-    sunShadow: boolean(false, { help: 'Whether the sun throws shadows.', label: 'Sun throws shadows' }),
+    sunShadow: boolean(false, { help: 'Whether the sun casts shadows.', label: 'Sun casts shadows' }),
     still: boolean(false, {
       help: 'The lights stand still, so that their shadow maps are kept.',
       label: 'Lights at rest',

@@ -31,7 +31,7 @@ test('has the lights that were asked for, a camera, and a temple of real columns
   scene.dispose();
 });
 
-test('in the evening the sun alone throws shadows, under tone mapping; else the light is even', async () => {
+test('in the evening the sun alone casts shadows, under tone mapping; else the light is even', async () => {
   const casts = (scene: Scene): string[] =>
     scene.componentsOf(Light).flatMap((light) => (light.castShadow ? [light.type] : []));
   const evening = await temple(7, { assets, evening: true });

@@ -11,7 +11,7 @@ export const templeScene = defineScene({
     lights: number(50, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
     shadows: shadowsField,
     evening: boolean(false, {
-      help: 'A low sun that throws shadows, a sky at sunset and tone mapping, in place of even light.',
+      help: 'A low sun that casts shadows, a sky at sunset and tone mapping, in place of even light.',
     }),
     seed: seedField,
   },

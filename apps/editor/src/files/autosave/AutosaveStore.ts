@@ -66,7 +66,7 @@ export class AutosaveStore {
       this.deaths++;
       const asked = [...this.waiting.values()];
       this.waiting.clear();
-      for (const { reject } of asked) reject(new Error(t('The autosave could not be loaded: is the server there?')));
+      for (const { reject } of asked) reject(new Error(t('The autosave could not be loaded: reload the page.')));
     });
     return worker;
   }

@@ -67,7 +67,7 @@ export class LightBaker {
     if (this.running) return;
     const { document, notices } = this.editor;
     const { scene } = document;
-    if (document.simulation.state !== 'stopped') throw new Error(t('The scene plays: stop it to bake its light.'));
+    if (document.simulation.state !== 'stopped') throw new Error(t('The scene is playing: stop it to bake its light.'));
     const { meshes, lights } = bakeSources(scene);
     if (meshes.length === 0) throw new Error(t('Nothing is static: switch on Static for what stays where it is.'));
     if (lights.length === 0 && !scene.settings.bakeSky)

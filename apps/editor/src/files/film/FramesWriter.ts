@@ -37,7 +37,7 @@ export class FramesWriter implements FilmWriter {
     if (png === null)
       throw new Error(t('This browser makes no PNG of {width} × {height}: choose a smaller size.', { width, height }));
     if (this.bytes + png.size > LARGEST)
-      throw new Error(t('A ZIP holds 4 GB: choose a smaller size or a shorter film.'));
+      throw new Error(t('The film would have more than the 4 GB of a ZIP: choose a smaller size or a shorter film.'));
     const entry = new ZipPassThrough(`frame-${String(++this.frames).padStart(5, '0')}.png`);
     entry.mtime = new Date(2000, 0, 1); // a fixed date: two exports of one film are equal byte by byte
     this.zip.add(entry);

@@ -23,7 +23,7 @@ export async function encodeLink(text: string): Promise<string> {
  * @throws Error when there is no scene, it was truncated, or it is too large; AbortError when `mayUnpack` refused
  */
 export async function decodeLink(hash: string, mayUnpack?: MayUnpack): Promise<string> {
-  if (!isLink(hash)) throw new Error(t('The address holds no scene: it must go on with #scene=…'));
+  if (!isLink(hash)) throw new Error(t('The address has no scene in it: it must end with #scene=…'));
   try {
     const base64 = hash.slice(PREFIX.length).replaceAll('-', '+').replaceAll('_', '/');
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -23,7 +23,7 @@ export async function linkHash(scene: Scene, options?: ShareOptions): Promise<st
   const refuse = (size: number): never => {
     const limit = kilobytes(LINK_LIMIT);
     throw new Error(
-      t('The link would have {size}, and may have {limit}.{why} Export a web page instead.', {
+      t('The link would have {size}, and {limit} is the limit.{why} Export a web page instead.', {
         size: kilobytes(size),
         limit,
         why,

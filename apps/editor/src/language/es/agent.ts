@@ -17,7 +17,7 @@ export const agent: Texts = {
   'Setting of the MCP client': 'Ajuste del cliente MCP',
   Setting: 'Ajuste',
   'Allow it': 'Permitir',
-  'This page is not served by npm start, which agents come in by. Start the editor so:':
+  'Agents reach this page only where npm start serves it. Start the editor like this:':
     'Esta página no la sirve npm start, por donde entran los agentes. El editor se arranca así:',
   'Another tab lets an agent edit now, so this one does not any more.':
     'Ahora otra pestaña deja editar a un agente, así que esta ya no.',

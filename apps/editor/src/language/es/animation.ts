@@ -17,7 +17,7 @@ export const animation: Texts = {
   'Where in the clip it begins; counted from the end when it runs backwards.':
     'Dónde del clip empieza; desde el final cuando va hacia atrás.',
   'Cross-fade': 'Fundido cruzado',
-  'How long it takes to go over from one clip to another.': 'Cuánto tarda en pasar de un clip a otro.',
+  'How long one clip fades into another.': 'Cuánto tarda en pasar de un clip a otro.',
   'A whole model, such as a glTF; an Animation plays its clips.':
     'Un modelo entero, como un glTF; una Animación reproduce sus clips.',
   'Morph targets': 'Destinos de deformación',

@@ -53,7 +53,7 @@ export const arrange: Texts = {
   Colours: 'Colores',
   'Share the brightness of one light': 'Repartir el brillo de una luz',
   '{count} lights of full brightness: share that of one if the picture gets too bright.':
-    '{count} luces con todo su brillo: reparte el de una si la imagen queda demasiado clara.',
+    '{count} luces con todo su brillo: se puede repartir el de una si la imagen queda demasiado clara.',
   'Intensities differ by': 'Variación de intensidad',
   'Ranges differ by': 'Variación de alcance',
   Where: 'Dónde',

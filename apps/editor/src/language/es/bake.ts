@@ -18,13 +18,14 @@ export const bake: Texts = {
   'Make static': 'Hacer estático',
   'Make moving': 'Hacer móvil',
   'There are {count} objects below that are otherwise. Shall they change too?':
-    'Debajo hay {count} objetos que no lo son. ¿Cambiarlos también?',
+    'Debajo hay {count} objetos que están de otro modo. ¿Cambiarlos también?',
   'Change all': 'Cambiar todos',
   'Only the selected': 'Solo los seleccionados',
   'Made baked:': 'Precalcular:',
   'Baked the light': 'Precalcular la luz',
   'Cleared the baked light': 'Quitar la luz precalculada',
-  'The scene plays: stop it to bake its light.': 'La escena está en marcha: hay que detenerla para precalcular su luz.',
+  'The scene is playing: stop it to bake its light.':
+    'La escena está en marcha: hay que detenerla para precalcular su luz.',
   'Nothing is static: switch on Static for what stays where it is.':
     'Nada es estático: hay que activar Estático en lo que no se mueve.',
   'No light is baked: set the mode of lights to Baked.':
@@ -33,7 +34,7 @@ export const bake: Texts = {
   Lightmaps: 'Mapas de luz',
   'How finely light is baked on surfaces.': 'Con qué detalle se calcula la luz sobre las superficies.',
   'Light probes': 'Sondas de luz',
-  'By these, baked light reaches what is not static.': 'Por ellas llega la luz precalculada a lo que no es estático.',
+  'They bring baked light to what is not static.': 'Por ellas llega la luz precalculada a lo que no es estático.',
   '{count} static object': '{count} objeto estático',
   '{count} static objects': '{count} objetos estáticos',
   '{count} baked light': '{count} luz precalculada',
@@ -76,21 +77,21 @@ export const bake: Texts = {
     'Ángulo que cubre la fuente, 0.5° para el sol: cuanto mayor, más suaves son sus sombras precalculadas.',
   'Lightmaps and probes that light the scene.': 'Mapas y sondas de luz que iluminan la escena.',
   'Lightmap size': 'Tamaño del mapa de luz',
-  'Width and height of a lightmap, in texels.': 'Ancho y alto de un mapa de luz, en texels.',
+  'Width and height of a lightmap, in texels.': 'Ancho y alto de un mapa de luz, en téxeles.',
   Resolution: 'Resolución',
   'Texels along a metre of surface, in as many lightmaps as that takes; 0 for as many as one lightmap has room for.':
-    'Texels por metro de superficie, en los mapas que hagan falta; 0 para los que quepan en un solo mapa.',
-  'texels/m': 'texels/m',
+    'Téxeles por metro de superficie, en los mapas que hagan falta; 0 para los que quepan en un solo mapa.',
+  'texels/m': 'téxeles/m',
   Bounces: 'Rebotes',
   'How often light is reflected before it arrives; 0 for direct light alone.':
     'Cuántas veces se refleja la luz antes de llegar; 0 para solo luz directa.',
   'Paths of light to each texel: more take longer and leave less noise.':
-    'Caminos de luz a cada texel: más tardan más y dejan menos ruido.',
+    'Caminos de luz a cada téxel: más tardan más y dejan menos ruido.',
   'Sky and environment light what is baked.': 'El cielo y el entorno iluminan lo que se precalcula.',
   Denoise: 'Quitar ruido',
   'Takes out the noise that is left.': 'Quita el ruido que queda.',
   'Stitch seams': 'Coser costuras',
-  'Light meets where a smooth surface is cut for its lightmap; else the cuts may show as lines.':
+  'Makes light agree on both sides where a smooth surface is cut for its lightmap; else the cuts may show as lines.':
     'La luz coincide donde una superficie lisa se corta para su mapa de luz; si no, los cortes pueden verse como líneas.',
   'Light probes, by which baked light reaches objects that are not static.':
     'Sondas de luz, por las que la luz precalculada llega a los objetos que no son estáticos.',

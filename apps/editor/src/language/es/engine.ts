@@ -19,7 +19,7 @@ export const engine: MessageTable = {
     "El prefab '{name}' se contendría a sí mismo, por su objeto '{object}': hay que sacarlo, o desempaquetarlo.",
   // faults of files
   'the file is empty: choose it again.': 'el archivo está vacío: hay que elegirlo de nuevo.',
-  'its bytes are no PNG, JPEG or WebP: was another file renamed?':
+  'its bytes are not PNG, JPEG or WebP: was another file renamed?':
     'sus bytes no son PNG, JPEG ni WebP: ¿se cambió el nombre de otro archivo?',
   'its bytes are {format}, not {wanted}: was another file renamed?':
     'sus bytes son {format}, no {wanted}: ¿se cambió el nombre de otro archivo?',
@@ -32,10 +32,10 @@ export const engine: MessageTable = {
     'sus datos FBX no se pueden leer ({reason}): hay que exportarlo de nuevo como FBX 7.4, o como glTF.',
   'it is cut short: its header says {length} bytes, and it has {found}.':
     'está cortado: su cabecera dice {length} bytes, y tiene {found}.',
-  'it is cut short: {length} bytes are no whole GLB header.':
+  'it is cut short: {length} bytes are less than a GLB header.':
     'está cortado: {length} bytes no son una cabecera GLB entera.',
   'it is cut short: export it again.': 'está cortado: hay que exportarlo de nuevo.',
-  "it is no glTF: the entry 'asset' is missing.": "no es un glTF: falta la entrada 'asset'.",
+  "it is not a glTF: the entry 'asset' is missing.": "no es un glTF: falta la entrada 'asset'.",
   'it is glTF {version}, and only glTF 2.x can be read: convert it.':
     'es glTF {version}, y solo se puede leer glTF 2.x: hay que convertirlo.',
   'its JSON cannot be read: {reason}': 'su JSON no se puede leer: {reason}',
@@ -46,25 +46,24 @@ export const engine: MessageTable = {
     'no se puede decodificar: hay que convertirlo a MP3, Ogg o WAV.',
   'it would take {memory} MB once it is decoded ({minutes} minutes), and {limit} MB is the limit: make it shorter.':
     'ocuparía {memory} MB una vez decodificado ({minutes} minutos), y {limit} MB es el límite: hay que acortarlo.',
-  'it has no vertices: it is no OBJ file, or an empty one. Export it again.':
+  'it has no vertices: it is empty, or not an OBJ file. Export it again.':
     'no tiene vértices: no es un archivo OBJ, o está vacío. Hay que exportarlo de nuevo.',
-  'it has no triangles: it is no STL file, or an empty one.':
-    'no tiene triángulos: no es un archivo STL, o está vacío.',
+  'it has no triangles: it is empty, or not an STL file.': 'no tiene triángulos: no es un archivo STL, o está vacío.',
   'the PLY data are damaged or cut short: export it again':
     'los datos PLY están dañados o cortados: hay que exportarlos de nuevo',
-  'the data are no PLY file: they do not begin with "ply"': 'los datos no son un archivo PLY: no empiezan por «ply»',
-  'it is damaged, or no file of baked light: bake the light again.':
+  'the data are not a PLY file: they do not begin with "ply"': 'los datos no son un archivo PLY: no empiezan por «ply»',
+  'it is damaged, or not a file of baked light: bake the light again.':
     'está dañado, o no es un archivo de luz precalculada: hay que calcular la luz de nuevo.',
   'Export it again from where it was made.': 'Hay que exportarlo de nuevo desde donde se hizo.',
   // addresses
   '{address} cannot be reached': 'no se llega a {address}',
   // scenes
-  'The file is no JSON: {reason}. Choose a scene that was saved by Farol.':
+  'The file is not JSON: {reason}. Choose a scene that was saved by Farol.':
     'El archivo no es JSON: {reason}. Hay que elegir una escena guardada por Farol.',
   'format must be "farol-scene", not {value}.': 'format debe ser "farol-scene", no {value}.',
   'version is {version}, but this Farol reads files up to version {newest}: update Farol.':
     'version es {version}, pero este Farol lee archivos hasta la versión {newest}: hay que actualizar Farol.',
-  'it is no text': 'no es texto',
+  'it is not text': 'no es texto',
   // physics
   'The Collider of {object} has no mesh to fit to: give the object a mesh, or switch "Fit to mesh" off and give a size.':
     'El Collider de {object} no tiene malla a la que ajustarse: hay que dar una malla al objeto, o desactivar «Ajustar a la malla» y dar un tamaño.',
@@ -83,20 +82,21 @@ export const engine: MessageTable = {
   // scripts
   'it exports no class: write `export default class … extends component({ … })`.':
     'no exporta ninguna clase: hay que escribir `export default class … extends component({ … })`.',
-  'its default export is no class of components: write `export default class … extends component({ … })`.':
+  'its default export is not a component class: write `export default class … extends component({ … })`.':
     'su exportación por defecto no es una clase de componentes: hay que escribir `export default class … extends component({ … })`.',
   'A loop has gone on for {seconds} s: give it an end, or do its work over several frames.':
     'Un bucle dura más de {seconds} s: hay que darle un final, o repartir su trabajo en varios fotogramas.',
-  'it is still being read.': 'todavía se está leyendo.',
+  'it is still being loaded: wait for it.': 'todavía se está leyendo.',
   // clips
   "The clip '{name}': {problem}": "La animación '{name}': {problem}",
   'the object {object} is gone: give an object below this name, or choose another clip.':
     'el objeto {object} ya no existe: hay que dar ese nombre a un objeto, o elegir otra animación.',
   'it is gone: choose another clip.': 'ya no existe: hay que elegir otra animación.',
-  "Animation.play: '{name}' is no clip; there are {names}": "Animation.play: '{name}' no es una animación; hay {names}",
+  "Animation.play: there is no clip '{name}'; there are {names}":
+    "Animation.play: '{name}' no es una animación; hay {names}",
   // structure
   "'{object}' cannot be put below itself: choose a parent that is not among its children.":
     "'{object}' no se puede poner debajo de sí mismo: hay que elegir un padre que no esté entre sus hijos.",
-  "'{object}' has a {component} already, and can have one only.":
+  "'{object}' has a {component} already, and can have only one.":
     "'{object}' ya tiene un {component}, y solo puede tener uno.",
 };

@@ -9,7 +9,7 @@ export const library: Texts = {
   Tags: 'Etiquetas',
   'Any tag': 'Toda etiqueta',
   'The library does not have it any more.': 'La biblioteca ya no lo tiene.',
-  '{name}: drag it into the picture, or click to add it': '{name}: arrástralo a la imagen o haz clic para añadirlo',
+  '{name}: drag it into the picture, or click to add it': '{name}: se arrastra a la imagen, o se añade con un clic',
   'Search the library': 'Buscar en la biblioteca',
   'Kind of item': 'Tipo de elemento',
   'Street lamp': 'Farola',

@@ -31,7 +31,7 @@ export const materials: Texts = {
   'Direction of the stretching, from the tangent.': 'Dirección del estiramiento, desde la tangente.',
   'Anisotropy rotation': 'Rotación de la anisotropía',
   Thickness: 'Grosor',
-  'Depth of what light passes through; 0 is a thin sheet, which does not bend it.':
+  'Thickness that light passes through; 0 is a thin sheet, which does not bend it.':
     'Profundidad de lo que la luz atraviesa; 0 es una lámina fina, que no la desvía.',
   'Depth at which light has taken the attenuation colour; 0 for never.':
     'Profundidad a la que la luz toma el color de atenuación; 0 para nunca.',
@@ -40,18 +40,18 @@ export const materials: Texts = {
     'Lo que queda de la luz blanca a la distancia de atenuación.',
   'Attenuation colour': 'Color de atenuación',
   Dispersion: 'Dispersión',
-  'How far colours part where light bends.': 'Cuánto se separan los colores donde la luz se desvía.',
-  'Roughness of what scatters diffusely, as of clay: the rim gets lighter.':
+  'How far colours split where light bends.': 'Cuánto se separan los colores donde la luz se desvía.',
+  'Roughness of diffuse reflection, as of clay: the rim gets lighter.':
     'Rugosidad de lo que dispersa de forma difusa, como el barro: el borde se aclara.',
   'Diffuse roughness': 'Rugosidad difusa',
   Retroreflectivity: 'Retrorreflexión',
   'Sends light back to where it came from, as road signs do.':
     'Devuelve la luz hacia donde vino, como las señales de tráfico.',
-  'Strength of reflection of what is no metal.': 'Fuerza del reflejo de lo que no es metal.',
+  'Strength of the reflections of non-metals.': 'Fuerza del reflejo de lo que no es metal.',
   'Specular intensity': 'Intensidad especular',
-  'Colour of reflection of what is no metal.': 'Color del reflejo de lo que no es metal.',
+  'Colour of the reflections of non-metals.': 'Color del reflejo de lo que no es metal.',
   'Specular colour': 'Color especular',
-  'Hide what lies behind, even where it is see-through. Off for most see-through things.':
+  'Hide what lies behind, even where it is transparent. Off for most transparent things.':
     'Ocultar lo que hay detrás, incluso donde se transparenta. Desactivado en casi todo lo transparente.',
   'Write depth': 'Escribir profundidad',
   'Which side of triangles is drawn.': 'Qué cara de los triángulos se dibuja.',
@@ -63,7 +63,7 @@ export const materials: Texts = {
   'Opacity, in green.': 'Opacidad, en el verde.',
   'Normals in tangent space.': 'Normales en espacio tangente.',
   'Bump map': 'Mapa de relieve',
-  'Heights: light is high. A normal map goes before it.':
+  'Heights: white is high. Ignored where there is a normal map.':
     'Alturas: claro es alto. Un mapa de normales tiene preferencia.',
   'Displacement map': 'Mapa de desplazamiento',
   'Heights by which vertices are moved along their normals.':
@@ -129,8 +129,8 @@ export const materials: Texts = {
   'What is beyond the lower and upper edges of the texture.':
     'Lo que hay más allá de los bordes inferior y superior de la textura.',
   'UV channel': 'Canal UV',
-  'Which texture coordinates of the mesh it goes by; a mesh without them shows one texel.':
-    'Qué coordenadas de textura de la malla sigue; una malla sin ellas muestra un solo téxel.',
+  'UV channel of the mesh; a mesh without it shows one texel.':
+    'Canal UV de la malla; una malla sin él muestra un solo téxel.',
   'Bump height': 'Altura del relieve',
   Bias: 'Sesgo',
   'Light strength': 'Fuerza de la luz',

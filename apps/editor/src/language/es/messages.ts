@@ -2,7 +2,7 @@ import type { Texts } from '@farol/editing';
 
 /** Spanish texts of notices, dialogs and errors. */
 export const messages: Texts = {
-  'There is no scene “{text}”: known are empty, {names}.': 'No hay ninguna escena «{text}»: existen empty, {names}.',
+  'There is no scene “{text}”: there are empty, {names}.': 'No hay ninguna escena «{text}»: existen empty, {names}.',
   'The scene': 'La escena',
   'Opening {file}': 'Abriendo {file}',
   'the scene': 'la escena',
@@ -15,7 +15,7 @@ export const messages: Texts = {
   'Open it': 'Abrirla',
   'Unsaved changes': 'Cambios sin guardar',
   'This cannot be read': 'Esto no se puede leer',
-  'What brings these components is not here, so they are kept as data: {names}. Add the plugin that they belong to.':
+  'These components are unknown, so they are kept as data: {names}. Add the plugin or script that has them.':
     'Falta lo que aporta estos componentes y se conservan como datos: {names}. Hay que añadir el complemento al que pertenecen.',
   'The picture cannot be drawn: {reason}': 'No se puede dibujar la imagen: {reason}',
   'The graphics device was lost. The picture comes back by itself; if not, save and reload.':
@@ -61,8 +61,6 @@ export const messages: Texts = {
   'Reading {count} files': 'Leyendo {count} archivos',
   '{path} cannot be imported: {reason}': 'No se puede importar {path}: {reason}',
   '{names} cannot be imported: only {importable} can.': 'No se puede importar {names}: solo {importable}.',
-  '{names} were left out: only {importable} can be imported.':
-    'Se dejaron fuera {names}: solo se pueden importar {importable}.',
   '{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.':
     '{path} es una escena dentro de un ZIP: hay que descomprimir el ZIP y abrirla aparte.',
   '{scene} was opened by itself, without {names}: drop these again.':
@@ -85,15 +83,15 @@ export const messages: Texts = {
   "{name} cannot be placed within itself: '{outer}' is, or holds, an instance of it.":
     '{name} no se puede colocar dentro de sí mismo: «{outer}» es, o contiene, una instancia suya.',
   '“{fileName}” was not saved: {why}. {mend}': '«{fileName}» no se ha guardado: {why}. {mend}',
-  '“{name}” is needed by {users}: change those first.': '«{name}» lo necesitan {users}: hay que cambiar antes esos.',
-  'There is a microshader “{name}” already: choose another name.':
+  '“{name}” is included by {users}: change those first.': '«{name}» lo necesitan {users}: hay que cambiar antes esos.',
+  'A microshader “{name}” exists already: choose another name.':
     'Ya hay un microshader «{name}»: hay que elegir otro nombre.',
   'This browser keeps no drafts here: {reason} Save to a file by Ctrl+S.':
     'Este navegador no guarda borradores aquí: {reason} Se puede guardar en un archivo con Ctrl+S.',
   'This browser keeps no drafts here since {time}: {reason} Save to a file by Ctrl+S.':
     'Este navegador no guarda borradores aquí desde las {time}: {reason} Se puede guardar en un archivo con Ctrl+S.',
-  '{name} cannot be kept: its object was added while playing. Keep all edits instead.':
-    '{name} no se puede conservar: su objeto se añadió durante la reproducción. Se pueden conservar todas las ediciones.',
+  '{name} cannot be kept alone: its object was added while playing. Keep all edits.':
+    '{name} no se puede conservar sola: su objeto se añadió durante la reproducción. Se pueden conservar todas las ediciones.',
   Pasting: 'Pegando',
   'What was copied': 'Lo copiado',
   '{name} could not be pasted: {reason}': 'No se ha podido pegar {name}: {reason}',
@@ -123,10 +121,10 @@ export const messages: Texts = {
     '{name} ya no está aquí: otra pestaña la recuperó o la descartó.',
   '{name} is as it was. Save it to keep it.': '{name} está como estaba. Hay que guardarla para conservarla.',
   'Drafts are kept again.': 'Se vuelven a guardar borradores.',
-  'The autosave could not be loaded: is the server there?':
-    'No se pudo cargar el guardado automático: ¿está el servidor?',
-  'The texts of this language could not be loaded: is the server there?':
-    'No se pudieron cargar los textos de este idioma: ¿está el servidor?',
+  'The autosave could not be loaded: reload the page.':
+    'No se pudo cargar el guardado automático: hay que recargar la página.',
+  'The texts of this language could not be loaded: reload the page.':
+    'No se pudieron cargar los textos de este idioma: hay que recargar la página.',
   '{objects} object': '{objects} objeto',
   '{objects} objects': '{objects} objetos',
   'last edit: {edit}': 'última edición: {edit}',
@@ -142,7 +140,7 @@ export const messages: Texts = {
   'it has no Web Locks, which pages have only over https.':
     'no tiene Web Locks, que las páginas solo tienen por https.',
   ' The largest assets are {names}.': ' Los recursos más grandes son {names}.',
-  'The link would have {size}, and may have {limit}.{why} Export a web page instead.':
+  'The link would have {size}, and {limit} is the limit.{why} Export a web page instead.':
     'El enlace ocuparía {size} y el máximo es {limit}.{why} Se puede exportar una página web.',
   '{label} came with Farol, and cannot be deleted.': '{label} viene con Farol y no se puede eliminar.',
   '{label} is a part of {model}: delete that.': '{label} es parte de {model}: se elimina con él.',
@@ -169,13 +167,13 @@ export const messages: Texts = {
   'Components that glTF does not know are left out: {typeName}':
     'Se omiten los componentes que glTF no conoce: {typeName}',
   'Meshes that are not loaded are left out': 'Se omiten las mallas sin cargar',
-  'Meshes whose vertices only the GPU has are left out': 'Se omiten las mallas cuyos vértices solo tiene la GPU',
+  'Meshes whose arrays were freed are left out': 'Se omiten las mallas cuyos arrays se liberaron',
   'Models that are not loaded are left out': 'Se omiten los modelos sin cargar',
   'Lights from all sides are left out': 'Se omiten las luces de todas direcciones',
   'The environment is left out': 'Se omite el entorno',
   'The background is left out': 'Se omite el fondo',
   'Fog is left out': 'Se omite la niebla',
-  'the browser gives no canvas to draw it to: close other pages and try again.':
+  'the browser has no canvas left to draw it on: close other pages and try again.':
     'el navegador no da ningún lienzo donde dibujarla: hay que cerrar otras páginas y probar de nuevo.',
   'A texture': 'Una textura',
   '{name} of {user} cannot be exported: {reason}': 'No se puede exportar {name} de {user}: {reason}',
@@ -205,7 +203,7 @@ export const messages: Texts = {
   '{objects} stay linked to the model, each as one object with its clips: they have {what}.':
     '{objects} siguen enlazados al modelo, cada uno como un solo objeto con sus animaciones: tienen {what}.',
   'Farol scene': 'Escena de Farol',
-  'is not made of fields: make a new material.': 'no está hecho de campos: hay que crear un material nuevo.',
+  'cannot be edited: make a new material.': 'no se puede editar: hay que crear un material nuevo.',
   'needs a name.': 'necesita un nombre.',
   'is there already: choose another name.': 'ya existe: hay que elegir otro nombre.',
   'cannot be put into itself: choose another folder.':
@@ -213,7 +211,7 @@ export const messages: Texts = {
   'holds an asset: move or delete it first.': 'contiene un recurso: hay que moverlo o eliminarlo antes.',
   'holds {count} assets: move or delete them first.':
     'contiene {count} recursos: hay que moverlos o eliminarlos antes.',
-  'Techniques cannot be compared: this device draws to no float colour buffers (EXT_color_buffer_float).':
+  'Techniques cannot be compared: this device cannot draw to float colour buffers (EXT_color_buffer_float).':
     'No se pueden comparar técnicas: este dispositivo no dibuja en búferes de color flotantes (EXT_color_buffer_float).',
   '“{name}” has changes that are not saved. Save them before it is closed?':
     '«{name}» tiene cambios sin guardar. ¿Guardarlos antes de cerrarla?',

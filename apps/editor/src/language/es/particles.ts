@@ -11,7 +11,7 @@ export const particles: Texts = {
   Space: 'Espacio',
   World: 'Mundo',
   Random: 'Al azar',
-  'What living particles stay with: the world, or the emitter wherever it goes.':
+  'Whether living particles stay in the world or move with the emitter.':
     'Con qué se quedan las partículas vivas: con el mundo, o con el emisor adondequiera que vaya.',
   Emitter: 'Emisor',
   Orientation: 'Orientación',
@@ -92,19 +92,19 @@ export const particles: Texts = {
   'How long particles begin; 0 for without an end.': 'Cuánto tiempo empiezan partículas; 0 sin fin.',
   'Whether it begins again after its duration.': 'Si vuelve a empezar tras su duración.',
   Prewarm: 'Precalentar',
-  'Time that has gone by at the beginning, so that it is in full swing at once.':
+  'Time simulated before the beginning, so that particles are there at once.':
     'Tiempo ya transcurrido al comienzo, para que esté en plena marcha enseguida.',
   Capacity: 'Capacidad',
   'Most particles at once; the rate times the longest life is enough.':
     'Máximo de partículas a la vez; basta la tasa por la vida más larga.',
-  'Another number, other particles; the same number, the same particles each time.':
+  'The same number gives the same particles each time.':
     'Otro número, otras partículas; el mismo número, las mismas partículas cada vez.',
   'Where particles begin.': 'Dónde empiezan las partículas.',
   Point: 'Punto',
   'Surface of a mesh': 'Superficie de una malla',
-  'Of the sphere, or of the disc that the cone begins at.': 'De la esfera, o del disco en que empieza el cono.',
+  'Radius of the sphere, or of the disc that the cone begins at.': 'De la esfera, o del disco en que empieza el cono.',
   '0 from the surface alone, 1 from all of the sphere.': '0 solo desde la superficie, 1 desde toda la esfera.',
-  'Of the side of the cone to its axis, which is the object’s +Y.':
+  'Angle between the side of the cone and its axis, the object’s +Y.':
     'Del lado del cono con su eje, que es el +Y del objeto.',
   'Sides of the box.': 'Lados de la caja.',
   'The object on whose mesh particles begin, along its normals.':
@@ -135,7 +135,7 @@ export const particles: Texts = {
   'Whether particles bounce off a plane, and off up to three objects.':
     'Si las partículas rebotan en un plano y en hasta tres objetos.',
   'Colliders are': 'Los obstáculos son',
-  'What the objects below are to particles: planes that face their +Y, or spheres of 1 m times their scale.':
+  'Shape of the objects to bounce off: planes that face their +Y, or spheres of 1 m times their scale.':
     'Lo que los objetos de abajo son para las partículas: planos que miran a su +Y, o esferas de 1 m por su escala.',
   Planes: 'Planos',
   Spheres: 'Esferas',
@@ -166,7 +166,7 @@ export const particles: Texts = {
   'Stretched billboard': 'Cartel alargado',
   'What each particle is.': 'Lo que es cada partícula.',
   Stretch: 'Alargamiento',
-  'Length a metre a second of its speed.': 'Longitud por metro por segundo de su velocidad.',
+  'Length for each metre a second of its speed.': 'Longitud por metro por segundo de su velocidad.',
   'Picture of each particle; without one it is a soft round dot.':
     'Imagen de cada partícula; sin ella es un punto redondo y suave.',
   'Flip-book': 'Animación por cuadros',
@@ -193,7 +193,7 @@ export const particles: Texts = {
   Brightness: 'Brillo',
   'Factor of the colour, for particles brighter than white.':
     'Factor del color, para partículas más claras que el blanco.',
-  'Over one another as smoke, added up as fire, or over one another in any order where that effect is on.':
+  'Over one another as smoke, added up as fire, or unsorted where order-independent transparency is on.':
     'Una sobre otra como el humo, sumadas como el fuego, o una sobre otra en cualquier orden donde ese efecto esté activo.',
   Blended: 'Mezclado',
   Additive: 'Aditivo',
@@ -207,8 +207,8 @@ export const particles: Texts = {
   'Particles are lights': 'Las partículas son luces',
   'Whether particles are lights, which light the scene.': 'Si las partículas son luces, que iluminan la escena.',
   Every: 'Cada',
-  'Every so many particles is a light.': 'Una de cada tantas partículas es una luz.',
-  'Luminous intensity of each, in its colour, times its opacity.':
+  'One in this many particles is a light.': 'Una de cada tantas partículas es una luz.',
+  'Luminous intensity of each light, times colour and opacity of its particle.':
     'Intensidad luminosa de cada una, en su color, por su opacidad.',
-  'Range of each, times its size over life.': 'Alcance de cada una, por su tamaño en la vida.',
+  'Range of each light, times the size over life of its particle.': 'Alcance de cada luz, por el tamaño en su vida.',
 };

@@ -66,7 +66,7 @@ export const photometry = {
   Exposure: 'Exposición',
   'Click a surface: the light that falls on it is measured, with all shadows.':
     'Haga clic en una superficie: se mide la luz que recibe, con todas las sombras.',
-  'Light cannot be measured: this device draws to no float colour buffers.':
+  'Light cannot be measured: this device cannot draw to float colour buffers.':
     'No se puede medir la luz: este dispositivo no dibuja en búferes de color flotantes.',
   'False colours of illuminance': 'Colores falsos de iluminancia',
   'Lux on surfaces': 'Lux en las superficies',

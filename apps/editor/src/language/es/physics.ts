@@ -20,7 +20,7 @@ export const physics: Texts = {
   'Mass ## of a body': 'Masa',
   Density: 'Densidad',
   Mass: 'Masa',
-  'Of the whole body.': 'De todo el cuerpo.',
+  'Mass of the whole body.': 'Masa de todo el cuerpo.',
   'Gravity factor': 'Factor de gravedad',
   "Factor of the scene's gravity.": 'Factor de la gravedad de la escena.',
   Damping: 'Amortiguación',
@@ -67,7 +67,8 @@ export const physics: Texts = {
   'It stops nothing, and tells what comes in and goes out: onTriggerEnter, onTriggerExit.':
     'No detiene nada, y avisa de lo que entra y sale: onTriggerEnter, onTriggerExit.',
   Friction: 'Fricción',
-  '0 slides as on ice; that of two bodies is the mean.': '0 resbala como sobre hielo; la de dos cuerpos es la media.',
+  '0 slides as on ice; between two bodies the mean counts.':
+    '0 resbala como sobre hielo; la de dos cuerpos es la media.',
   Bounciness: 'Rebote',
   'How much it bounces: 0 not at all, 1 as high as before.': 'Cuánto rebota: 0 nada, 1 tan alto como antes.',
   'Of bodies whose mass comes from their density; else the share of this shape in the mass. Water has 1000.':
@@ -93,7 +94,8 @@ export const physics: Texts = {
   'Snap to ground': 'Pegarse al suelo',
   'How far down it keeps to the ground, on stairs and slopes.':
     'Hasta cuánto hacia abajo sigue al suelo, en escaleras y cuestas.',
-  'Of the capsule that it is.': 'De la cápsula que es.',
+  'Height of its capsule.': 'Altura de su cápsula.',
+  'Radius of its capsule.': 'Radio de su cápsula.',
   'Centre of the capsule in the space of the object: half the height above its feet.':
     'Centro de la cápsula en el espacio del objeto: media altura sobre sus pies.',
   'It pushes dynamic bodies that are in its way.': 'Empuja los cuerpos dinámicos que encuentra.',

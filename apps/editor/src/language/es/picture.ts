@@ -4,7 +4,7 @@ import type { Texts } from '@farol/editing';
 export const picture: Texts = {
   'Tone mapping': 'Mapeo de tonos',
   'Exposure compensation': 'Compensación de exposición',
-  'Steps of exposure beside the rest: 1 is twice the light, -1 half of it. Needs a tone mapping.':
+  'Exposure compensation: 1 is twice the light, -1 half of it. Needs a tone mapping.':
     'Pasos de exposición además del resto: 1 es el doble de luz, -1 la mitad. Requiere un mapeo de tonos.',
   'Depth of field': 'Profundidad de campo',
   'Depth of field: the scene’s, none, or one of this camera.':
@@ -41,17 +41,17 @@ export const picture: Texts = {
   Exposure: 'Exposición',
   'Factor of all light before it is tone mapped.': 'Factor de toda la luz antes del mapeo de tonos.',
   Bloom: 'Resplandor',
-  'What is bright shines over what is beside it.': 'Lo brillante resplandece sobre lo que tiene al lado.',
+  'Bright things glow over their surroundings.': 'Lo brillante resplandece sobre lo que tiene al lado.',
   Strength: 'Fuerza',
-  'How much it shines.': 'Cuánto resplandece.',
+  'How much they glow.': 'Cuánto resplandece.',
   Threshold: 'Umbral',
-  'Luminance from which on things shine; 1 is a white surface in full light.':
+  'Luminance from which on things glow; 1 is a white surface in full light.':
     'Luminancia desde la que hay resplandor; 1 es una superficie blanca a plena luz.',
   Radius: 'Radio',
   'How far it reaches.': 'Hasta dónde llega.',
   'What is nearer or farther than the focus is blurred. A camera can have its own.':
     'Lo que está más cerca o más lejos del enfoque se ve borroso. Cada cámara puede tener la suya.',
-  'Distance from the camera of what is sharp.': 'Distancia a la cámara de lo que se ve nítido.',
+  'Distance from the camera at which things are sharp.': 'Distancia a la cámara de lo que se ve nítido.',
   'Colour grading': 'Gradación de color',
   'Changes the colours of the finished picture.': 'Cambia los colores de la imagen terminada.',
   Temperature: 'Temperatura',
@@ -72,7 +72,7 @@ export const picture: Texts = {
   'How dark the corners are.': 'Lo oscuras que son las esquinas.',
   Reach: 'Extensión',
   'How far it reaches into the picture.': 'Hasta dónde entra en la imagen.',
-  'By what the scene is drawn; "Automatic" picks what is fastest.':
+  'How the scene is lit and drawn; "Automatic" picks the fastest.':
     'Con qué se dibuja la escena; «Automático» elige lo más rápido.',
   Quality: 'Calidad',
   Full: 'Completa',
@@ -80,7 +80,7 @@ export const picture: Texts = {
   'Lite holds less memory for surfaces and shadows. Automatic takes it on phones and weak devices.':
     '«Ligera» ocupa menos memoria para superficies y sombras. «Automático» lo elige en teléfonos y equipos modestos.',
   'Occlusion radius': 'Radio de la oclusión',
-  'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
+  'Distance within which surfaces darken a corner.': 'A qué distancia las cosas cierran un rincón.',
   'Occlusion strength': 'Fuerza de la oclusión',
   'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
   'Fog density': 'Densidad de la niebla',
@@ -90,7 +90,7 @@ export const picture: Texts = {
   'Share of light that the fog scatters; the rest is absorbed.':
     'Parte de la luz que la niebla dispersa; absorbe el resto.',
   'Fog anisotropy': 'Anisotropía de la niebla',
-  'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.':
+  'Above 0 fog scatters light forwards, and lamps have halos; below 0 backwards.':
     'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
   'Fog height': 'Altura de la niebla',
   'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
@@ -109,19 +109,19 @@ export const picture: Texts = {
   'Set effects': 'Elegir los efectos',
   'What is seen behind the objects, and lights them.': 'Lo que se ve detrás de los objetos, y los ilumina.',
   'How objects fade with distance.': 'Cómo se funden los objetos con la distancia.',
-  'Volumetric fog is off: fog volumes are not seen. Switch it on among the effects.':
+  'Volumetric fog is off: fog volumes are not drawn. Switch it on among the effects.':
     'La niebla volumétrica está apagada: los volúmenes de niebla no se ven. Actívala entre los efectos.',
   Picture: 'Imagen',
   'How light becomes a picture.': 'Cómo la luz se convierte en imagen.',
   'Picture effects': 'Efectos de imagen',
   'What is done to the finished picture.': 'Lo que se hace a la imagen terminada.',
-  'This technique knows no depth before it shades: no {effect}. {names} have it.':
+  'This technique has no depth before it lights, so {effect} is left out. {names} have it.':
     'Esta técnica no conoce la profundidad antes de sombrear: no hay {effect}. La tienen: {names}.',
-  'This technique has no G-buffer: no {effect}. {names} have it.':
+  'This technique has no G-buffer, so {effect} is left out. {names} have it.':
     'Esta técnica no tiene G-buffer: no hay {effect}. La tienen: {names}.',
   'This technique shades one sample a pixel: edges are jagged. Automatic smooths them by SMAA.':
     'Esta técnica sombrea una muestra por píxel: los bordes quedan dentados. Automático los suaviza con SMAA.',
-  'This technique has no G-buffer: decals are not seen. Automatic picks one.':
+  'This technique has no G-buffer: decals are not drawn. Automatic picks one that has it.':
     'Esta técnica no tiene G-buffer: las calcomanías no se ven. Automático elige una que sí.',
   'Tone mapping of what this camera sees.': 'Mapeo de tonos de lo que ve esta cámara.',
   'How edges are smoothed. Automatic is multisampled where the technique can be, else SMAA; TAA gathers frames.':
@@ -211,28 +211,28 @@ export const picture: Texts = {
   Bitrate: 'Tasa de bits',
   '{count} frames, {seconds} s': '{count} fotogramas, {seconds} s',
   '{count} frames, {seconds} s, about {size} MB': '{count} fotogramas, {seconds} s, unos {size} MB',
-  'The film ends before it begins: raise “To”.': 'La película acaba antes de empezar: aumente «Hasta».',
+  'The film ends before it begins: raise “To”.': 'La película acaba antes de empezar: hay que aumentar «Hasta».',
   'A ZIP holds {count} frames: choose a shorter film.':
-    'En un ZIP caben {count} fotogramas: elija una película más corta.',
-  'A ZIP holds 4 GB: choose a smaller size or a shorter film.':
-    'En un ZIP caben 4 GB: elija un tamaño menor o una película más corta.',
+    'En un ZIP caben {count} fotogramas: hay que elegir una película más corta.',
+  'The film would have more than the 4 GB of a ZIP: choose a smaller size or a shorter film.':
+    'La película pasaría de los 4 GB de un ZIP: hay que elegir un tamaño menor o una película más corta.',
   'This browser does not encode video here (WebCodecs needs https and a new browser): choose PNG frames.':
-    'Este navegador no codifica vídeo aquí (WebCodecs exige https y un navegador nuevo): elija fotogramas PNG.',
+    'Este navegador no codifica vídeo aquí (WebCodecs exige https y un navegador nuevo): hay que elegir fotogramas PNG.',
   '{format} needs an even width and height, such as {width} × {height}.':
     '{format} exige anchura y altura pares, como {width} × {height}.',
   'This browser does not encode {format} at {width} × {height}: choose another format or a smaller size.':
-    'Este navegador no codifica {format} a {width} × {height}: elija otro formato o un tamaño menor.',
+    'Este navegador no codifica {format} a {width} × {height}: hay que elegir otro formato o un tamaño menor.',
   'The browser could not go on encoding {format}: choose another format.':
-    'El navegador no pudo seguir codificando {format}: elija otro formato.',
+    'El navegador no pudo seguir codificando {format}: hay que elegir otro formato.',
   'This browser makes no PNG of {width} × {height}: choose a smaller size.':
-    'Este navegador no hace PNG de {width} × {height}: elija un tamaño menor.',
+    'Este navegador no hace PNG de {width} × {height}: hay que elegir un tamaño menor.',
   'There is nothing to turn around: add an object first.':
-    'No hay nada alrededor de lo que girar: añada antes un objeto.',
-  'Keep two views at least for a path: Ctrl with a number keeps one.':
-    'Guarde al menos dos vistas para un recorrido: Ctrl con un número guarda una.',
-  'The scene has no such camera any more: choose another one.': 'La escena ya no tiene esa cámara: elija otra.',
+    'No hay nada alrededor de lo que girar: hay que añadir antes un objeto.',
+  'A path needs two kept views: Ctrl with a number keeps one.':
+    'Un recorrido necesita dos vistas guardadas: Ctrl con un número guarda una.',
+  'The scene has no such camera any more: choose another one.': 'La escena no tiene esa cámara: se elige otra.',
   'Another scene was opened while the film was made: make it again.':
-    'Se abrió otra escena mientras se hacía la película: hágala otra vez.',
+    'Se abrió otra escena mientras se hacía la película: hay que hacerla otra vez.',
   Film: 'Película',
   'Making the film': 'Haciendo la película',
   'Frame {frame} of {count}': 'Fotograma {frame} de {count}',
@@ -242,5 +242,5 @@ export const picture: Texts = {
   'This view is the scene’s picture: lists of files show it once the scene is saved.':
     'Esta vista es la imagen de la escena: las listas de archivos la muestran cuando se guarda.',
   'No picture could be made: show the panel Viewport and try again.':
-    'No se pudo hacer una imagen: muestre el panel Vista e inténtelo otra vez.',
+    'No se pudo hacer una imagen: hay que mostrar el panel Vista 3D y probar de nuevo.',
 };

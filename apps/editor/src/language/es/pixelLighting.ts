@@ -3,7 +3,7 @@ export const pixelLighting = {
   'Explain a pixel': 'Explicar un píxel',
   'Explain the middle': 'Explicar el centro',
   'Click the picture: the lights that make the pixel are listed, brightest first.':
-    'Haz clic en la imagen: se listan las luces que forman el píxel, la más brillante primero.',
+    'Con un clic en la imagen se listan las luces que forman el píxel, la más brillante primero.',
   'Lights are drawn one by one': 'Las luces se dibujan una por una',
   'Linear RGB, before exposure and tone mapping': 'RGB lineal, antes de la exposición y el mapeo de tonos',
   Share: 'Parte',

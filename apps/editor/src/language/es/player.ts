@@ -12,7 +12,7 @@ export const player: Texts = {
   'This page shows a scene with JavaScript and WebGL 2: switch JavaScript on, or, where it is in a frame that allows no scripts, open it by itself.':
     'Esta página muestra una escena con JavaScript y WebGL 2: hay que activar JavaScript o, si está en un marco que no permite scripts, abrirla sola.',
   'The editor is away; its edits follow when it is back.': 'El editor no está; sus cambios llegarán cuando vuelva.',
-  'The connection was lost, and is tried again.': 'Se perdió la conexión, y se intenta de nuevo.',
+  'The connection was lost; trying again…': 'Se perdió la conexión, y se intenta de nuevo.',
   'Waiting for the editor…': 'Esperando al editor…',
   Jump: 'Saltar',
   'Enter VR': 'Entrar en RV',
@@ -23,8 +23,8 @@ export const player: Texts = {
   'Open without them': 'Abrir sin ellos',
   'The link is damaged or cut short: copy all of it, to its last letter.':
     'El enlace está dañado o cortado: hay que copiarlo entero, hasta la última letra.',
-  'The address holds no scene: it must go on with #scene=…':
+  'The address has no scene in it: it must end with #scene=…':
     'La dirección no contiene ninguna escena: tiene que seguir con #scene=…',
-  'The page has no physics: export the scene anew.': 'La página no tiene física: hay que exportar de nuevo la escena.',
-  'The physics could not be fetched.': 'No se pudo obtener la física.',
+  'The page has no physics: export the scene again.': 'La página no tiene física: hay que exportar de nuevo la escena.',
+  'The physics could not be loaded: reload the page.': 'No se pudo obtener la física.',
 };

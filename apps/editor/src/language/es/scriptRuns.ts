@@ -7,7 +7,7 @@ export const scriptRuns: Texts = {
   'Scripts are off': 'Los scripts están desactivados',
   'The scripts of this scene are off, since it comes from elsewhere. Run them only if you trust it.':
     'Los scripts de esta escena están desactivados, porque viene de otro sitio. Conviene ejecutarlos solo si se confía en ella.',
-  'Scripts are off: the page ended while they ran. Mend the one that has no end, then run them.':
+  'Scripts are off: the page ended while they ran. Correct the one that does not end, then run them.':
     'Los scripts están desactivados: la página se cerró mientras se ejecutaban. Hay que corregir el que no termina y después ejecutarlos.',
   'Scripts are off, as the address of the page says.':
     'Los scripts están desactivados, como dice la dirección de la página.',

@@ -15,8 +15,8 @@ export const surfaces: Texts = {
   Rust: 'Óxido',
   Hologram: 'Holograma',
   'No surface': 'Ninguna superficie',
-  'Drop {name} on an object with a mesh, which then looks so.':
-    'Suelta {name} sobre un objeto con malla, que tendrá ese aspecto.',
+  'Drop {name} on an object with a mesh, which then gets it.':
+    'Hay que soltar {name} sobre un objeto con malla, que lo recibe.',
   'Edited surface {name}': 'Superficie {name} editada',
   'Made surface {name}': 'Superficie {name} creada',
   'Made surface {name} for {objects}': 'Superficie {name} creada para {objects}',
@@ -29,7 +29,7 @@ export const surfaces: Texts = {
   'Show the asset': 'Mostrar el recurso',
   Uniforms: 'Uniforms',
   'None.': 'Ninguno.',
-  'Nothing. Drag it from Assets onto an object.': 'Nada. Arrástrala de Recursos a un objeto.',
+  'Nothing. Drag it from Assets onto an object.': 'Nada. Se arrastra de Recursos a un objeto.',
   'Own values of {surface}': 'Valores propios de {surface}',
   'Own values of {surface} for {objects}': 'Valores propios de {surface} para {objects}',
   'The values of the surface for this object alone; others of the material keep theirs':
@@ -37,7 +37,7 @@ export const surfaces: Texts = {
   'Waves, rust, snow and the like for this object alone, over the effect of its material. It has values of its own.':
     'Olas, óxido, nieve y similares solo para este objeto, sobre el efecto de su material. Tiene valores propios.',
   'On material': 'En el material',
-  'The material of the model whose parts wear the surface; all of them when none is chosen.':
+  'The material of the model whose parts get the surface; all of them when none is chosen.':
     'El material del modelo cuyas partes llevan la superficie; todas si no se elige ninguno.',
   'It runs on the graphics card alone, and needs no permission. A loop without an end can stall the whole page.':
     'Solo se ejecuta en la tarjeta gráfica y no necesita permiso. Un bucle sin fin puede detener toda la página.',
@@ -49,6 +49,6 @@ export const surfaces: Texts = {
   'Values of the surface.': 'Los valores de la superficie.',
   'Surface texture': 'Textura de la superficie',
   'A texture of the surface.': 'Una textura de la superficie.',
-  'Its text: GLSL with surface() or displace(), and the uniforms that it declares.':
-    'Su texto: GLSL con surface() o displace(), y los uniforms que declara.',
+  'Text: GLSL with surface() or displace(), and its uniforms.':
+    'Texto: GLSL con surface() o displace(), y los uniforms que declara.',
 };

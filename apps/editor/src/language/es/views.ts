@@ -5,7 +5,7 @@ export const views: Texts = {
   'View {place}': 'Vista {place}',
   'Keep view {place}': 'Conservar la vista {place}',
   'Name of the view': 'Nombre de la vista',
-  'View {place}: none is kept': 'Vista {place}: no hay ninguna conservada',
+  'View {place}: empty': 'Vista {place}: no hay ninguna conservada',
   'Keep this view as {place}': 'Conservar esta vista como {place}',
   Perspective: 'Perspectiva',
   'Keys go to the scene. Esc gives them back.': 'Las teclas van a la escena. Esc las devuelve.',

@@ -36,14 +36,14 @@ export type ItemRoot = Omit<Part, 'name'>;
 /** Rotation (rad) that turns the front, -Z, downwards. */
 export const DOWN: Vector3Tuple = [-Math.PI / 2, 0, 0];
 
-/** A mesh with a material of the library; it throws shadows unless `values` say otherwise. */
+/** A mesh with a material of the library; it casts shadows unless `values` say otherwise. */
 export const mesh = (name: string, shape: string, material: LibraryMaterial, place: Place, values?: Values): Part => ({
   name,
   ...place,
   components: [['ObjectRenderer', { mesh: shape, ...meshShadows, material, ...values }]],
 });
 
-/** A mesh that shines, and throws no shadow of the light within it. */
+/** A mesh that shines, and casts no shadow of the light within it. */
 export const glow = (name: string, shape: string, material: LibraryMaterial, place: Place): Part =>
   mesh(name, shape, material, place, { castShadow: false, receiveShadow: false });
 

@@ -45,7 +45,7 @@ export function BakePanel(): ReactNode {
           <Section
             id="Light probes"
             title={t('Light probes')}
-            help={t('By these, baked light reaches what is not static.')}
+            help={t('They bring baked light to what is not static.')}
             icon="ranges"
           >
             <FieldList owners={owners} names={probes} />
@@ -128,7 +128,7 @@ function Buttons({ baker }: { baker: LightBaker }): ReactNode {
         look="primary"
         label={t('Bake')}
         disabled={isPlaying}
-        title={isPlaying ? t('The scene plays: stop it to bake its light.') : undefined}
+        title={isPlaying ? t('The scene is playing: stop it to bake its light.') : undefined}
         onClick={() => editor.attempt(() => baker.bake())}
       />
       <Button

@@ -73,7 +73,7 @@ export function ConsolePanel(): ReactNode {
         </button>
       </div>
       {shown.length === 0 ? (
-        <p className="panel-empty">{log.entries.length === 0 ? t('Nothing was said yet.') : t('Nothing like that.')}</p>
+        <p className="panel-empty">{log.entries.length === 0 ? t('No messages yet.') : t('Nothing like that.')}</p>
       ) : (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling list
         <ul className="console" ref={list} tabIndex={0} aria-label={t('Messages')}>
@@ -104,7 +104,7 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
         />
       )}
       {count > 1 && (
-        <span className="console-count" title={t('Said {count} times', { count })}>
+        <span className="console-count" title={t('Repeated {count} times', { count })}>
           {count}
         </span>
       )}

@@ -62,7 +62,7 @@ export function AgentDialog({ onClose }: { onClose(): void }): ReactNode {
         </>
       ) : (
         <>
-          <p role="alert">{t('This page is not served by npm start, which agents come in by. Start the editor so:')}</p>
+          <p role="alert">{t('Agents reach this page only where npm start serves it. Start the editor like this:')}</p>
           <div className="export-row">
             <input className="input" type="text" readOnly value={COMMAND} aria-label={t('Command')} />
             <CopyButton text={COMMAND} label={t('Command')} />

@@ -45,7 +45,7 @@ export function PhoneDialog({ onClose }: { onClose(): void }): ReactNode {
         <>
           <Dialog.Description>
             {t(
-              'A phone or a headset in the same network shows the scene under this address, and follows each edit. Only who has the address can look.',
+              'A phone or a headset in the same network shows the scene under this address, and follows each edit. Only those who have the address can look.',
             )}
           </Dialog.Description>
           <img

@@ -12,8 +12,8 @@ function leftOut({ label, needs = 'depth' }: EffectEntry, techniques: Techniques
   const able = Object.entries(techniques).filter(([name]) => techniqueAbilities(techniques, name)[needs]);
   const words = { effect: t(label).toLowerCase(), names: able.map(([, each]) => t(each.label)).join(', ') };
   return needs === 'depth'
-    ? t('This technique knows no depth before it shades: no {effect}. {names} have it.', words)
-    : t('This technique has no G-buffer: no {effect}. {names} have it.', words);
+    ? t('This technique has no depth before it lights, so {effect} is left out. {names} have it.', words)
+    : t('This technique has no G-buffer, so {effect} is left out. {names} have it.', words);
 }
 
 /** Features that the scene uses but its technique does not support, a line each. */
@@ -25,7 +25,7 @@ function linesOf(settings: SceneSettings, techniques: Techniques, hasDecals: boo
   if (settings.antialiasing === 'none' && !abilities.samples)
     lines.push(t('This technique shades one sample a pixel: edges are jagged. Automatic smooths them by SMAA.'));
   if (hasDecals && !abilities.gbuffer)
-    lines.push(t('This technique has no G-buffer: decals are not seen. Automatic picks one.'));
+    lines.push(t('This technique has no G-buffer: decals are not drawn. Automatic picks one that has it.'));
   return lines;
 }
 
@@ -37,7 +37,7 @@ export function TechniqueLimit({ settings }: { settings: SceneSettings }): React
   const hasDecals = document.scene.componentsOf(Decal).length > 0;
   const lines = linesOf(settings, viewport.farol.techniques, hasDecals);
   if (!settings.volumetricFog && document.scene.componentsOf(FogVolume).length > 0)
-    lines.push(t('Volumetric fog is off: fog volumes are not seen. Switch it on among the effects.'));
+    lines.push(t('Volumetric fog is off: fog volumes are not drawn. Switch it on among the effects.'));
   return lines.map((line) => (
     <p key={line} className="technique-limit">
       {line}

@@ -31,7 +31,7 @@ export const lightColumns = (): readonly Column[] => [
     ),
   },
   { id: 'range', title: t('Range'), help: t('Distance where the light ends.') },
-  { id: 'shadow', title: t('Shadow'), help: t('Whether objects throw shadows in it.') },
+  { id: 'shadow', title: t('Shadow'), help: t('Whether objects cast shadows in it.') },
   {
     id: 'cost',
     title: t('Cost'),

@@ -112,7 +112,7 @@ export const materialSections: readonly MaterialSection[] = [
   {
     id: 'Reflection',
     title: () => t('Reflection'),
-    help: () => t('How what is no metal reflects and scatters.'),
+    help: () => t('How non-metals reflect and scatter.'),
     isFoldedAtFirst: true,
     fields: [
       ...['specularIntensity', 'specularIntensityMap', 'specularColour', 'specularColourMap'],

@@ -19,7 +19,7 @@ export function ChunkUses({ name, uses }: { name: string; uses: MicroShaderUses 
       <Chunks title={t('Needs')} names={needs} />
       <Chunks title={t('Needed by')} names={users} />
       <h3>{t('Techniques')}</h3>
-      {drawn.length === 0 && <p>{uses.isKnown ? t('None draws with it.') : t('Looking…')}</p>}
+      {drawn.length === 0 && <p>{uses.isKnown ? t('No program uses it.') : t('Looking…')}</p>}
       <ul>
         {drawn.map((technique) => (
           <li key={technique}>

@@ -34,8 +34,8 @@ export function PlayChanges(): ReactNode {
         <button
           type="button"
           className="button small"
-          aria-label={t('Let go of the edits')}
-          title={t('Let go of the edits')}
+          aria-label={t('Discard the edits')}
+          title={t('Discard the edits')}
           onClick={() => playEdits.dismiss()}
         >
           <Icon name="close" size={12} />

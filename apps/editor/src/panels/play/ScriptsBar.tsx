@@ -8,7 +8,7 @@ import { Button } from '../../ui/Button';
 const textOf = (reason: OffReason): string =>
   ({
     foreign: t('The scripts of this scene are off, since it comes from elsewhere. Run them only if you trust it.'),
-    hung: t('Scripts are off: the page ended while they ran. Mend the one that has no end, then run them.'),
+    hung: t('Scripts are off: the page ended while they ran. Correct the one that does not end, then run them.'),
     address: t('Scripts are off, as the address of the page says.'),
     framed: t(
       'Scripts stay off while another page shows the editor inside of it. Open the editor by itself to run them.',

@@ -45,7 +45,7 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
           },
           {
             label: t('Revert all'),
-            help: t('Makes this instance as the prefab is.'),
+            help: t('Makes this instance equal to the prefab.'),
             icon: 'undo',
             disabled: none,
             run: run(revertInstance),
@@ -58,7 +58,7 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
               ]),
           {
             label: t('Unpack'),
-            help: t('Makes it an object of its own, which follows no more.'),
+            help: t('Makes it an object of its own, which follows no prefab.'),
             icon: 'object',
             run: run(unpackInstance),
           },

@@ -18,7 +18,7 @@ function stateOf({ isBroken, problems, isReady, failure }: ScriptBarProps): stri
   if (isBroken) return t('Cannot be read yet: the last good text runs');
   if (problems > 0) return tCount(problems, '{count} error', '{count} errors');
   if (failure !== null) return t('No completion: {reason}', { reason: failure });
-  return isReady ? '' : t('Completion is being fetched…');
+  return isReady ? '' : t('Completion is loading…');
 }
 
 export function ScriptBar(props: ScriptBarProps): ReactNode {

@@ -68,7 +68,7 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
           ]}
         />
         <MenuButton
-          label={t('What can be done with the script')}
+          label={t('Menu of the script')}
           icon="more"
           iconOnly
           className="button small"

@@ -163,7 +163,7 @@ function connect(): void {
   socket.addEventListener('message', ({ data }) => receive(JSON.parse(String(data)) as LiveMessage | RelayMessage));
   socket.addEventListener('close', () => {
     coming = null;
-    line.textContent = t('The connection was lost, and is tried again.');
+    line.textContent = t('The connection was lost; trying again…');
     line.hidden = false;
     setTimeout(connect, RETRIES[Math.min(failures++, RETRIES.length - 1)]);
   });

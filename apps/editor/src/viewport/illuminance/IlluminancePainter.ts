@@ -15,7 +15,7 @@ export class IlluminancePainter implements Painter {
   /** @throws Error naming what the device lacks */
   constructor(private readonly viewport: Viewport) {
     if (!drawsFloats(viewport.webgl))
-      throw new Error(t('Light cannot be measured: this device draws to no float colour buffers.'));
+      throw new Error(t('Light cannot be measured: this device cannot draw to float colour buffers.'));
     this.picture = new IlluminancePicture(viewport.webgl, () => viewport.invalidate());
   }
 

@@ -31,7 +31,7 @@ export class LightMeterTool implements Tool {
   constructor(private readonly viewport: Viewport) {
     const { canvas, webgl } = viewport;
     if (!drawsFloats(webgl))
-      throw new Error(t('Light cannot be measured: this device draws to no float colour buffers.'));
+      throw new Error(t('Light cannot be measured: this device cannot draw to float colour buffers.'));
     this.picture = new IlluminancePicture(webgl, () => {});
     this.readout = new DragReadout(canvas);
     this.clicks = new PictureClicks(viewport, (x, y) => this.measure(x, y));

@@ -45,7 +45,7 @@ export class WipePainter implements Painter {
   ) {
     if (!drawsFloats(viewport.webgl, true)) {
       throw new Error(
-        t('Techniques cannot be compared: this device draws to no float colour buffers (EXT_color_buffer_float).'),
+        t('Techniques cannot be compared: this device cannot draw to float colour buffers (EXT_color_buffer_float).'),
       );
     }
     this.other = new FarolRenderer(viewport.webgl, { timing: true });

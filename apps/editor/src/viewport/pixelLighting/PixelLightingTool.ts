@@ -23,7 +23,7 @@ export class PixelLightingTool implements Tool {
   /** @throws Error naming what the device lacks */
   constructor(private readonly viewport: Viewport) {
     if (!drawsFloats(viewport.webgl))
-      throw new Error(t('Light cannot be measured: this device draws to no float colour buffers.'));
+      throw new Error(t('Light cannot be measured: this device cannot draw to float colour buffers.'));
     this.clicks = new PictureClicks(viewport, (x, y) => this.explain(x, y));
     this.readout = new DragReadout(viewport.canvas);
   }

@@ -9,8 +9,7 @@ export function agreeWithThree(): void {
   const store = ShaderStore.IncludesShadersStore;
   const replace = (name: string, from: string, to: string): void => {
     if (store[name].includes(to)) return;
-    if (!store[name].includes(from))
-      throw new Error(`Babylon.js’s shader part ${name} is another one: mend this file.`);
+    if (!store[name].includes(from)) throw new Error(`Babylon.js’s shader part ${name} has changed: update this file.`);
     store[name] = store[name].replace(from, to);
   };
   const name = 'pbrDirectLightingFalloffFunctions';

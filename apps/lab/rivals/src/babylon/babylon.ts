@@ -95,7 +95,7 @@ class BabylonDrawing implements RivalDrawing {
     this.container = new ClusteredLightContainer('lights', [], this.scene);
     if (!this.container.isSupported) {
       this.engine.dispose();
-      throw new Error('Babylon.js clusters no lights here: it needs to blend into 32-bit floating-point targets.');
+      throw new Error('Babylon.js clusters no lights here: it needs to blend into 32-bit float targets.');
     }
     this.container.maxRange = Math.max(...points.ranges, ...spots.map(({ range }) => range), 1e-3);
     this.camera = this.addCamera();

@@ -77,7 +77,7 @@ export function agreeWithThree(device: GraphicsDevice): void {
   const chunks = ShaderChunks.get(device, SHADERLANGUAGE_GLSL);
   const replace = (name: string, from: string, to: string): void => {
     const source = chunks.get(name);
-    if (!source?.includes(from)) throw new Error(`PlayCanvas’s shader chunk ${name} is another one: mend chunks.ts.`);
+    if (!source?.includes(from)) throw new Error(`PlayCanvas’s shader chunk ${name} has changed: update chunks.ts.`);
     chunks.set(name, source.replace(from, to));
   };
   chunks.set('falloffInvSquaredPS', falloff);

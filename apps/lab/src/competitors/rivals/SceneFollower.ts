@@ -59,7 +59,7 @@ export class SceneFollower {
         places[i * 3 + 1] === Math.fround(y) &&
         places[i * 3 + 2] === Math.fround(z);
       if (isUnmoved) continue;
-      throw new Error('A light that is no point light moves: the Lab cannot give its path to other engines.');
+      throw new Error('Only point lights may move: the Lab cannot give other paths to other engines.');
     }
   }
 

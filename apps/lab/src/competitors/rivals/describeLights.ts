@@ -28,15 +28,15 @@ function directionOf(light: DirectionalLight | SpotLight): Xyz {
 const isPoint = (light: Light): light is PointLight => (light as PointLight).isPointLight === true;
 
 function checkFalloff({ name, distance, decay }: PointLight | SpotLight): void {
-  if (!(distance > 0)) throw new Error(`Light ${name || 'without a name'} has no end: clustered lights need a range.`);
+  if (!(distance > 0)) throw new Error(`Light ${name || 'without a name'} has no range: clustered lights need one.`);
   if (decay !== 2) {
-    throw new Error(`Light ${name || 'without a name'} has decay ${decay}: the Lab gives other engines 2 alone.`);
+    throw new Error(`Light ${name || 'without a name'} has decay ${decay}: the Lab gives other engines only 2.`);
   }
 }
 
 function describeSpot(light: SpotLight): RivalSpot {
   checkFalloff(light);
-  if (light.map) throw new Error(`Light ${light.name || 'without a name'} has a cookie.`);
+  if (light.map) throw new Error(`Light ${light.name || 'without a name'} has a cookie: other engines get none.`);
   const direction = directionOf(light);
   return {
     colour: colourOf(light),
@@ -58,7 +58,7 @@ export function describeStillLights(lights: readonly Light[]): StillLights {
   const directionals: RivalDirectional[] = [];
   const spots: RivalSpot[] = [];
   for (const light of lights) {
-    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} throws shadows.`);
+    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} casts shadows.`);
     if ((light as AmbientLight).isAmbientLight) {
       colourOf(light).forEach((part, k) => (ambient[k] += part));
     } else if ((light as HemisphereLight).isHemisphereLight) {
@@ -93,11 +93,11 @@ export function describePoints(lights: readonly Light[]): RivalPoints {
   lights.forEach((light, i) => {
     if (!isPoint(light)) {
       throw new Error(
-        `Light ${light.name || 'without a name'} is a ${light.type}: other engines get moving points alone.`,
+        `Light ${light.name || 'without a name'} is a ${light.type}: other engines get moving points only.`,
       );
     }
     checkFalloff(light);
-    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} throws shadows.`);
+    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} casts shadows.`);
     points.colours.set(colourOf(light), i * 3);
     points.ranges[i] = light.distance;
   });

@@ -228,12 +228,12 @@ describe('a scene for another engine', () => {
       /has clearcoat/,
     ],
     ['a map', { meshes: [box({ aoMap: texture() })] }, /has an aoMap/],
-    ['a texture that is turned', { meshes: [box({ map: odd })] }, /turns a texture/],
+    ['a texture that is turned', { meshes: [box({ map: odd })] }, /rotates a texture/],
     ['points', { meshes: [new Points()] }, /is a Points/],
     ['a sheared mesh', { meshes: [sheared] }, /is sheared/],
-    ['a light without an end', { lights: [new PointLight()] }, /has no end/],
+    ['a light without an end', { lights: [new PointLight()] }, /has no range/],
     ['another decay', { lights: [new PointLight(0xffffff, 1, 5, 1)] }, /decay 1/],
-    ['shadows', { lights: [shadow] }, /throws shadows/],
+    ['shadows', { lights: [shadow] }, /casts shadows/],
   ])('refuses %s', (_, parts, why) => {
     expect(() => described(parts)).toThrow(why);
   });
@@ -247,7 +247,7 @@ describe('a scene for another engine', () => {
     expect(() => describeScene(pictured)).toThrow(/background is a texture/);
     const more = stageOf({});
     more.three.add(new PointLight(0xffffff, 1, 5));
-    expect(() => describeScene(more)).toThrow(/is not handed over/);
+    expect(() => describeScene(more)).toThrow(/cannot be given/);
   });
 
   it('refuses a material that changes three’s shaders, and takes copies of one that does not', () => {

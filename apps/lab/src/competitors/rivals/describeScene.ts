@@ -38,7 +38,7 @@ class Indexed<K, V> {
 function describeCamera(camera: Camera): RivalCamera {
   const of = camera as PerspectiveCamera;
   if (!of.isPerspectiveCamera || of.view?.enabled || of.zoom !== 1 || of.filmOffset !== 0) {
-    throw new Error('The camera is not a plain PerspectiveCamera: other engines get those alone.');
+    throw new Error('The camera is not a plain PerspectiveCamera: other engines get only that.');
   }
   camera.updateWorldMatrix(true, false);
   return {
@@ -51,7 +51,7 @@ function describeCamera(camera: Camera): RivalCamera {
 
 function describeBackground(background: StageScene['three']['background']): Rgb | null {
   if (background === null) return null;
-  if (!(background as Color).isColor) throw new Error('The background is a texture: other engines get colours alone.');
+  if (!(background as Color).isColor) throw new Error('The background is a texture: other engines get only colours.');
   const { r, g, b } = (background as Color).getRGB({ r: 0, g: 0, b: 0 } as Color, SRGBColorSpace);
   return [r, g, b];
 }
@@ -75,7 +75,7 @@ function checkLights({ three, lights, still }: StageScene): void {
   const named = new Set<Object3D>([...lights, ...still]);
   three.traverseVisible((object) => {
     if ((object as Light).isLight && !named.has(object)) {
-      throw new Error(`Light ${object.name || 'without a name'} is not handed over to other engines.`);
+      throw new Error(`Light ${object.name || 'without a name'} cannot be given to other engines.`);
     }
   });
 }

@@ -36,7 +36,7 @@ const hasTexels = (image: unknown): image is TexelImage =>
 function readPicture(image: TexImageSource, name: string): TexelImage {
   const { width, height } = image as { width: number; height: number };
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error(`Texture ${name}: the browser gives no 2D canvas to read it by.`);
+  if (!context) throw new Error(`Texture ${name}: the browser has no 2D canvas left to read it with. Close some tabs.`);
   context.drawImage(image as CanvasImageSource, 0, 0);
   return context.getImageData(0, 0, width, height);
 }
@@ -56,7 +56,7 @@ export function describeTexture(texture: Texture): RivalTexture {
   const name = texture.name || 'without a name';
   const { image, format, type } = texture as { image: unknown; format: number; type: number };
   const isPlain = format === RGBAFormat && type === UnsignedByteType && !('isCompressedTexture' in texture);
-  if (!isPlain) throw new Error(`Texture ${name} is not 8-bit RGBA: the Lab gives other engines such textures alone.`);
+  if (!isPlain) throw new Error(`Texture ${name} is not 8-bit RGBA: other engines get only that.`);
   if (image === null || image === undefined) throw new Error(`Texture ${name} has no picture yet: load it first.`);
   const { data, width, height } = hasTexels(image) ? image : readPicture(image as TexImageSource, name);
   const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);

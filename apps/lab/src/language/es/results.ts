@@ -110,7 +110,7 @@ export const results: Texts = {
   'the second is {factor} × faster': 'la segunda es {factor} × más rápida',
   'the second is {factor} × slower': 'la segunda es {factor} × más lenta',
   '{name} is made.': '{name} está hecho.',
-  'The browser gives no access to the clipboard: export a file.':
+  'The browser does not allow access to the clipboard: export a file.':
     'El navegador no da acceso al portapapeles: se puede exportar un archivo.',
   Export: 'Exportar',
   'Copy Markdown': 'Copiar Markdown',

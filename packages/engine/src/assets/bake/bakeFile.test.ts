@@ -102,7 +102,7 @@ describe('a file of baked light', () => {
 
   test('that is cut short, is something else, or was changed, says so', async () => {
     const bytes = await writeBake(baked);
-    const problem = 'it is damaged, or no file of baked light: bake the light again.';
+    const problem = 'it is damaged, or not a file of baked light: bake the light again.';
     for (const length of [0, 5, 11, 40, bytes.length - 1])
       await expect(readBake(bytes.slice(0, length).buffer), `${length} bytes`).rejects.toThrow(problem);
     await expect(readBake(new TextEncoder().encode('<html>no bake</html>').buffer)).rejects.toThrow(problem);

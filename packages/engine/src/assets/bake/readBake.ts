@@ -16,7 +16,7 @@ const MOST_CELLS = 64;
 const MOST_VERTICES = 2 ** 28;
 
 const damaged = (): never => {
-  throw new Error('it is damaged, or no file of baked light: bake the light again.');
+  throw new Error('it is damaged, or not a file of baked light: bake the light again.');
 };
 
 const isCount = (value: unknown, most: number): value is number =>

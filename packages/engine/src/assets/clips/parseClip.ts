@@ -46,7 +46,7 @@ export function parseClip(text: string, name = ''): ClipData {
   try {
     data = JSON.parse(text);
   } catch {
-    fail('its data are no JSON.');
+    fail('its data are not JSON.');
   }
   const { tracks = [], events = [] } = recordOf(data) ?? fail('its data must be an object with tracks and events.');
   if (!Array.isArray(tracks)) fail('tracks must be a list.');

@@ -54,7 +54,7 @@ export class MovedObjects {
         this.isTold = true;
         const name = shortText(gameObjectOf(mesh)?.name ?? mesh.name);
         console.warn(
-          `Farol: '${name}' is static and moves while the scene plays: its baked light stays behind. Switch Static off and bake again.`,
+          `Farol: '${name}' is static and moves while the scene plays: its baked light does not move with it. Switch Static off and bake again.`,
         );
         return;
       }

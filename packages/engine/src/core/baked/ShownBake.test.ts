@@ -209,7 +209,7 @@ test('a static object that moves while the scene plays is told once', async () =
   play(200, 0.01);
   expect(warn.mock.calls).toEqual([
     [
-      "Farol: 'Floor' is static and moves while the scene plays: its baked light stays behind. Switch Static off and bake again.",
+      "Farol: 'Floor' is static and moves while the scene plays: its baked light does not move with it. Switch Static off and bake again.",
     ],
   ]);
 });

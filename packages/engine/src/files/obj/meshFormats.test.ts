@@ -84,7 +84,7 @@ it.each([
       [1, 0, 0],
       [0, 1, 0],
     ]),
-    /no numbers: export it again/,
+    /not numbers: export it again/,
   ],
   ['a.ply', 'ply\nformat ascii 1.0\nend_header\n', /^the PLY file has no vertices/],
 ])('says what is wrong with %s (%#)', async (name, content, message) => {

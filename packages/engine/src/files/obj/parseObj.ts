@@ -114,7 +114,7 @@ class ObjParser {
     const { positions, uvs, normals, corners, runs, materialFiles, leftOut, coarse } = this;
     const vertices = positions.length / 3;
     if (vertices === 0) {
-      throw new Error('it has no vertices: it is no OBJ file, or an empty one. Export it again.');
+      throw new Error('it has no vertices: it is empty, or not an OBJ file. Export it again.');
     }
     if (this.highest >= vertices) {
       throw new Error(
@@ -179,7 +179,7 @@ class ObjParser {
     const { reader } = this;
     const [x, y, z] = [reader.number(), reader.number(), reader.number()];
     if (!Number.isFinite(x) || !Number.isFinite(y) || !Number.isFinite(z)) {
-      this.fail('the vertex has not three numbers');
+      this.fail('the vertex does not have three numbers');
     }
     this.positions.push3(x, y, z);
     // a fourth number alone is a weight; with three more there is a colour
@@ -204,7 +204,7 @@ class ObjParser {
         uv = this.optional(this.uvs.length / 2);
         if (reader.slash()) normal = this.optional(this.normals.length / 3);
       }
-      if (!reader.isWordOver) this.fail('a corner of the face is no “vertex/texture/normal”');
+      if (!reader.isWordOver) this.fail('a corner of the face is not of the form “vertex/texture/normal”');
       if (vertex > this.highest) {
         this.highest = vertex;
         this.highestLine = reader.line;
@@ -287,7 +287,7 @@ class ObjParser {
   /** A number of a corner, counted from 0. @param value - counted from 1, or, negative, from the end */
   private index(value: number, length: number): number {
     const index = value > 0 ? value - 1 : length + value;
-    if (!(value !== 0 && index >= 0)) this.fail('a corner of the face names no vertex that is there');
+    if (!(value !== 0 && index >= 0)) this.fail('a corner of the face names a vertex that does not exist');
     return index;
   }
 

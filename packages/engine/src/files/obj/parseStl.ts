@@ -61,9 +61,9 @@ export async function parseStl(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSig
     ? await runInSlices(parseText(bytes), new Slices(signal))
     : new (await import('three/addons/loaders/STLLoader.js')).STLLoader().parse(bytes.buffer);
   const positions = geometry.getAttribute('position');
-  if (!positions || positions.count < 3) throw new Error('it has no triangles: it is no STL file, or an empty one.');
+  if (!positions || positions.count < 3) throw new Error('it has no triangles: it is empty, or not an STL file.');
   if (positions.array.some((value) => !Number.isFinite(value))) {
-    throw new Error('it has positions that are no numbers: export it again.');
+    throw new Error('it has positions that are not numbers: export it again.');
   }
   return runInSlices(fileOfGeometry(geometry, false), new Slices(signal));
 }

@@ -79,7 +79,7 @@ export async function checkExr(bytes: ArrayBuffer): Promise<void> {
       const row = isTiled ? view.getInt32(at + 4, true) * block.height : view.getInt32(at, true) - top;
       const columns = Math.min(block.width, header.width - left);
       const rows = Math.min(block.height, header.height - row);
-      if (left < 0 || row < 0 || columns < 1 || rows < 1) fail('a block of it lies outside of its picture');
+      if (left < 0 || row < 0 || columns < 1 || rows < 1) fail('a block of it lies outside its picture');
       if (size > bytes.byteLength - at - head) fail('a block of it is cut short');
       await checkBlock(new Uint8Array(bytes, at + head, size), columns * rows * pixel, compression);
       at += head + size;

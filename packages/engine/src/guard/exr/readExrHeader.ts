@@ -54,7 +54,7 @@ type Attributes = Map<string, { readonly type: string; readonly at: number; read
 const fail = (problem: string): never => {
   throw new Error(problem);
 };
-const cut = (): never => fail('its header is not whole');
+const cut = (): never => fail('its header is incomplete');
 
 /** The attributes of each part, and the byte after them. */
 function readAttributes(view: DataView): { parts: Attributes[]; end: number } {
@@ -85,7 +85,7 @@ function readAttributes(view: DataView): { parts: Attributes[]; end: number } {
     const size = view.getInt32(at, true);
     at += 4;
     if (size < 0 || at + size > all.length) cut();
-    if (Object.hasOwn(SIZES, type) && SIZES[type] !== size) fail(`its attribute ${name} has not the size of its type`);
+    if (Object.hasOwn(SIZES, type) && SIZES[type] !== size) fail(`its attribute ${name} is of the wrong size`);
     part.set(name, { type, at, size });
     at += size;
   }
@@ -130,7 +130,7 @@ export function readExrHeader(bytes: ArrayBuffer): ExrHeader {
   }
   const attribute = (name: string, type: string): { at: number; size: number } => {
     const found = parts[0]?.get(name);
-    return found?.type === type ? found : fail(`its header says no ${name}`);
+    return found?.type === type ? found : fail(`its header has no ${name}`);
   };
   const window = attribute('dataWindow', 'box2i').at;
   const [left, top, right, bottom] = [0, 4, 8, 12].map((offset) => view.getInt32(window + offset, true));
@@ -146,7 +146,7 @@ export function readExrHeader(bytes: ArrayBuffer): ExrHeader {
   if (isDeep || isMultiPart) {
     if (isTiled) fail('it has tiles in several parts');
     const chunks = view.getInt32(attribute('chunkCount', 'int').at, true);
-    if (chunks !== blocks) fail('it has not as many blocks as its rows need');
+    if (chunks !== blocks) fail('the number of its blocks does not fit its rows');
     table = parts.reduce((sum, part) => {
       const own = part.get('chunkCount');
       return sum + (own?.type === 'int' ? Math.max(0, view.getInt32(own.at, true)) : 0);

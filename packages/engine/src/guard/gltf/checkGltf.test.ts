@@ -113,9 +113,9 @@ const broken: [string, (json: Json) => void, RegExp][] = [
   ],
   ['a count below 0', (j) => (j.accessors[0].count = -1), /the count of accessor 0 must be a whole number/],
   ['a count that is text', (j) => (j.accessors[0].count = '3'), /the count of accessor 0 .* not "3"/],
-  ['a type that is none', (j) => (j.accessors[0].type = 'VEC5'), /accessor 0 has no type/],
-  ['a type of all objects', (j) => (j.accessors[0].type = 'constructor'), /accessor 0 has no type/],
-  ['a component that is none', (j) => (j.accessors[0].componentType = 5124), /accessor 0 has no type/],
+  ['a type that is none', (j) => (j.accessors[0].type = 'VEC5'), /accessor 0 has an unknown type/],
+  ['a type of all objects', (j) => (j.accessors[0].type = 'constructor'), /accessor 0 has an unknown type/],
+  ['a component that is none', (j) => (j.accessors[0].componentType = 5124), /accessor 0 has an unknown type/],
   ['an offset beyond', (j) => (j.accessors[0].byteOffset = 4), /accessor 0 has 3 values, more than fit/],
   ['a stride beyond', (j) => (j.bufferViews[0].byteStride = 24), /accessor 0 has 3 values, more than fit/],
   ['an absurd stride', (j) => (j.bufferViews[0].byteStride = 1e9), /more than 252 bytes/],
@@ -189,7 +189,7 @@ const broken: [string, (json: Json) => void, RegExp][] = [
       j.skins = [];
       j.animations = [];
     },
-    /draw 1,200,000 things, and 1,000,000 is the limit/,
+    /take 1,200,000 draw calls, and 1,000,000 is the limit/,
   ],
   [
     'morph targets of one accessor',
@@ -235,10 +235,10 @@ describe('what is wrong with a model is said in one sentence before memory is ta
     await expect(readModel(glb(json))).rejects.toThrow(/^[^\n]{10,300}: export it again\.$/);
   });
 
-  test('positions that are no numbers, or absurd', async () => {
+  test('positions that are not numbers, or absurd', async () => {
     const file = (positions: number[]): ArrayBuffer => glb(plain(), positions);
     expect((await readModel(file(POSITIONS))).scene.children).toHaveLength(1);
-    await expect(readModel(file([NaN, 0, 0]))).rejects.toThrow(/^the mesh 'Wall' has positions that are no numbers/);
+    await expect(readModel(file([NaN, 0, 0]))).rejects.toThrow(/^the mesh 'Wall' has positions that are not numbers/);
     await expect(readModel(file([1e30, 0, 0]))).rejects.toThrow(/^the mesh 'Wall' reaches beyond 1000000000000 m/);
   });
 

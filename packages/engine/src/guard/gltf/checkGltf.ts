@@ -42,7 +42,7 @@ function checkBuffers(lists: GltfLists, { binary, sizeOf }: GltfSizes): number[]
   return lists.all('buffers').map(({ uri, byteLength, extensions }, i) => {
     const what = `buffer ${i}`;
     const length = lists.whole(byteLength, `the length of ${what}`);
-    if (uri !== undefined && typeof uri !== 'string') lists.fail(`the address of ${what} is no text`);
+    if (uri !== undefined && typeof uri !== 'string') lists.fail(`the address of ${what} is not text`);
     // a buffer that stands in for compressed data has no bytes of its own
     const isEmpty = Object.values(lists.record(extensions)).some((each) => lists.record(each).fallback === true);
     const there = typeof uri === 'string' ? (sizeOf?.(uri) ?? null) : i === 0 ? binary : isEmpty ? null : 0;
@@ -102,7 +102,7 @@ function checkAccessors(lists: GltfLists): void {
     const what = `accessor ${i}`;
     const component = COMPONENTS[accessor.componentType as number];
     const items = Object.hasOwn(ITEMS, String(accessor.type)) ? ITEMS[accessor.type as string] : 0;
-    if (!component || !items) lists.fail(`${what} has no type of glTF`);
+    if (!component || !items) lists.fail(`${what} has an unknown type`);
     const count = lists.whole(accessor.count, `the count of ${what}`);
     const size = component * items;
     const fits = (part: Record<string, unknown>, wanted: number, bytes: number): void => {
@@ -139,7 +139,7 @@ function checkAccessors(lists: GltfLists): void {
 
 function primitivesOf(lists: GltfLists, mesh: Record<string, unknown>, what: string): Record<string, unknown>[] {
   return lists.listOf(mesh.primitives, `the primitives of ${what}`).map((each) => {
-    if (typeof each !== 'object' || each === null) lists.fail(`${what} has a primitive that is no object`);
+    if (typeof each !== 'object' || each === null) lists.fail(`${what} has a primitive that is not an object`);
     const primitive = each as Record<string, unknown>;
     if (typeof primitive.attributes !== 'object' || primitive.attributes === null) {
       lists.fail(`${what} has a primitive without attributes`);

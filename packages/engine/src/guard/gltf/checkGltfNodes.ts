@@ -18,7 +18,7 @@ function numbersOf(lists: GltfLists, value: unknown, length: number, what: strin
   if (list.length !== length) lists.fail(`${what} must have ${length} numbers, not ${list.length}`);
   for (const each of list) {
     if (typeof each !== 'number' || !Number.isFinite(each))
-      lists.fail(`${what} holds ${lists.show(each)}, which is no number`);
+      lists.fail(`${what} holds ${lists.show(each)}, which is not a number`);
     if (Math.abs(each as number) > LARGEST)
       lists.fail(`${what} holds ${lists.show(each)}, and ${LARGEST} is the limit`);
   }
@@ -96,7 +96,7 @@ export function checkGltfNodes(lists: GltfLists): void {
     const world = matrixOf(lists, node, what);
     const parent = parents.get(i);
     if (parent !== undefined) world.premultiply(worlds.get(parent)!);
-    if (absurdSize(world)) lists.fail(`${what} is scaled or moved beyond ${LARGEST} by what it is below`);
+    if (absurdSize(world)) lists.fail(`${what} is scaled or moved beyond ${LARGEST} by the nodes above it`);
     worlds.set(i, world);
     if (node.camera !== undefined) lists.index(node.camera, 'cameras', what);
     if (node.skin !== undefined) lists.index(node.skin, 'skins', what);
@@ -108,7 +108,7 @@ export function checkGltfNodes(lists: GltfLists): void {
     draws += primitives.length;
     vertices += size * instancesOf(lists, node, what);
   }
-  if (draws > DRAWS) lists.fail(`it would draw ${counted(draws)} things, and ${counted(DRAWS)} is the limit`);
+  if (draws > DRAWS) lists.fail(`it would take ${counted(draws)} draw calls, and ${counted(DRAWS)} is the limit`);
   if (vertices > VERTICES) {
     lists.fail(`it would draw ${counted(vertices)} vertices, and ${counted(VERTICES)} is the limit`);
   }

@@ -45,7 +45,7 @@ export function readGltfJson(bytes: ArrayBuffer): GltfJson {
   const isBinary = bytes.byteLength >= 4 && view.getUint32(0, true) === glbMagic;
   const json = parseJson(isBinary ? binaryJson(view) : bytes);
   if (typeof json !== 'object' || json === null || !('asset' in json)) {
-    throw new Error("it is no glTF: the entry 'asset' is missing.");
+    throw new Error("it is not a glTF: the entry 'asset' is missing.");
   }
   const version = shortText(String((json as GltfJson).asset?.version ?? 'of no version'));
   if (!version.startsWith('2.')) throw new Error(`it is glTF ${version}, and only glTF 2.x can be read: convert it.`);
@@ -64,7 +64,7 @@ export function binaryOf(bytes: ArrayBuffer): Uint8Array<ArrayBuffer> | null {
 }
 
 function binaryJson(view: DataView): ArrayBuffer {
-  if (view.byteLength < 20) throw new Error(`it is cut short: ${view.byteLength} bytes are no whole GLB header.`);
+  if (view.byteLength < 20) throw new Error(`it is cut short: ${view.byteLength} bytes are less than a GLB header.`);
   const version = view.getUint32(4, true);
   if (version !== 2) throw new Error(`it is GLB version ${version}, and only version 2 can be read: convert it.`);
   const length = view.getUint32(8, true);
@@ -73,7 +73,7 @@ function binaryJson(view: DataView): ArrayBuffer {
   }
   const chunkLength = view.getUint32(12, true);
   if (view.getUint32(16, true) !== jsonChunk || 20 + chunkLength > view.byteLength) {
-    throw new Error('its first chunk is not whole JSON.');
+    throw new Error('its first chunk is not complete JSON: export it again.');
   }
   return (view.buffer as ArrayBuffer).slice(20, 20 + chunkLength);
 }

@@ -87,6 +87,6 @@ export class PixelsError extends Error {}
 export function checkPixels(width: number, height: number): void {
   if (width <= SIDE && height <= SIDE && width * height <= PIXELS) return;
   throw new PixelsError(
-    `its picture has ${width} × ${height} pixels, and ${SIDE} a side, ${PIXELS / 2 ** 20} million in all, is the limit: make it smaller.`,
+    `its picture has ${width} × ${height} pixels; the limit is ${SIDE} a side and ${PIXELS / 2 ** 20} million in all: make it smaller.`,
   );
 }

@@ -42,7 +42,7 @@ function readEntries(view: DataView<ArrayBuffer>): Entry[] {
   if (end < first) damaged('its end is not there');
   const count = view.getUint16(end + 10, true);
   let at = view.getUint32(end + 16, true);
-  if (count === 0xffff || at === 0xffffffff) fail('The ZIP is of the kind for more than 4 GB: make a smaller one.');
+  if (count === 0xffff || at === 0xffffffff) fail('The ZIP is a ZIP64, as for more than 4 GB: make a smaller one.');
   if (count > unpackLimits.entries) {
     fail(`The ZIP holds ${counted(count)} files, and ${counted(unpackLimits.entries)} is the limit.`);
   }
@@ -87,7 +87,7 @@ export async function readZip(
     unpacked += entry.unpacked;
     if (entry.at + entry.packed > bytes.length) damaged('a file reaches beyond the end');
     if (entry.method !== STORED && entry.method !== DEFLATED)
-      fail('The ZIP is packed in another way than by deflating.');
+      fail('The ZIP uses another method than Deflate: pack it again, with Deflate.');
     if (entry.method === STORED && entry.packed !== entry.unpacked) damaged('a file has two sizes');
     if (files.has(entry.name)) damaged('two files have one name');
     files.set(entry.name, bytes);

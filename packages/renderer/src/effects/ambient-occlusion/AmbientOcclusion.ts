@@ -142,8 +142,8 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
     this.warned = true;
     console.warn(
       this.unfit
-        ? "Farol: ambient occlusion is left out, since its G-buffer has five attachments and this device draws to four at once; use 'light-prepass' or 'forward-plus'."
-        : "Farol: ambient occlusion is left out, since the technique in use knows no depth before it shades; use 'deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass' or 'forward-plus'.",
+        ? "Farol: ambient occlusion is left out, since it needs a fifth texture in the G-buffer and this device draws to four at once; use 'light-prepass' or 'forward-plus'."
+        : "Farol: ambient occlusion is left out, since the technique in use has no depth before it lights; use 'deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass' or 'forward-plus'.",
     );
   }
 

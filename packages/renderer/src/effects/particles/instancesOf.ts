@@ -10,7 +10,7 @@ export function instancesOf(geometry: BufferGeometry | null): InstancedBufferGeo
   instanced.instanceCount = 0;
   if (geometry === null) return instanced;
   if (!hasReadableVertices(geometry)) {
-    console.warn('Farol: mesh particles copy their geometry; keep its arrays, which only the GPU has.');
+    console.warn('Farol: mesh particles copy their geometry; keep its arrays, which were freed after upload.');
     return instanced;
   }
   const buffers = new Map<InterleavedBufferAttribute['data'], InterleavedBuffer>();

@@ -57,7 +57,10 @@ test('no table is made of vertices that the CPU cannot read, which is said', () 
   const onGPU = new BufferGeometry().setAttribute('position', new GLBufferAttribute({}, 5126, 3, 4, 3) as never);
   expect([freed, onGPU].map((geometry) => surfaceTable(new Mesh(geometry)))).toEqual([null, null]);
   expect(warn.mock.calls.flat().map((text) => (text as string).replace(/".*"/, ''))).toEqual(
-    Array.from({ length: 2 }, () => 'Farol: no particles begin on Mesh , whose vertices only the GPU has.'),
+    Array.from(
+      { length: 2 },
+      () => 'Farol: no particles begin on Mesh , since its arrays were freed after upload; keep them.',
+    ),
   );
   warn.mockRestore();
 });

@@ -58,7 +58,7 @@ export function surfaceTable(mesh: Mesh): SurfaceTable | null {
   if (positions === undefined) return null;
   if (!hasReadableVertices(geometry)) {
     console.warn(
-      `Farol: no particles begin on ${mesh.type} "${mesh.name || mesh.uuid}", whose vertices only the GPU has.`,
+      `Farol: no particles begin on ${mesh.type} "${mesh.name || mesh.uuid}", since its arrays were freed after upload; keep them.`,
     );
     return null;
   }

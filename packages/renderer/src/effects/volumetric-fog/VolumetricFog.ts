@@ -220,7 +220,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     this.work = fogWork(frame.isLite, this.isSoftware);
     const size = this.froxels;
     const history = this.historyOf(this.camera);
-    // their records in the light table, which the renderer would draw after this
+    // records of lights in the light table, which the renderer would draw later
     if (frame.fields?.isDrawn === false) frame.fields.render();
     medium.read(this, frame);
     const lights = frame.lights.directionals.length + frame.lights.unboundeds.length + frame.lights.listed;
@@ -323,7 +323,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
 
   private warn(): void {
     if (!this.hasWarned)
-      console.warn('Farol: volumetric fog is left out, since its froxels need perspective; use a PerspectiveCamera.');
+      console.warn('Farol: volumetric fog is left out, since it needs perspective; use a PerspectiveCamera.');
     this.hasWarned = true;
   }
 }

@@ -49,7 +49,7 @@ export function checkFroxels(froxels: Froxels): Froxels {
   const whole = froxels.length === 3 && froxels.every((count) => Number.isInteger(count) && count > 0);
   if (!whole || away % 8 !== 0)
     throw new RangeError(
-      `VolumetricFog: froxels is [${[across, up, away].join(', ')}]; it is to be three whole numbers above 0, the last a multiple of 8.`,
+      `VolumetricFog: froxels is [${[across, up, away].join(', ')}]; give three whole numbers above 0, the last a multiple of 8.`,
     );
   return froxels;
 }

@@ -46,13 +46,13 @@ describe('parseMicroShaderXML', () => {
   });
 
   it.each([
-    ['', /test\.xml:1: no element/],
+    ['', /test\.xml:1: there is no root element/],
     ['<shaders/>', /test\.xml:1: the root is <shaders>, not <microshaders>/],
     ['<!DOCTYPE html><html></html>', /test\.xml:1: "<!DOCTYPE html><html" is not XML/],
     ['<microshaders>\n<microshader name="a">', /test\.xml:2: <microshader> of line 2 is never closed/],
     ['<microshaders>\n</microshader>', /test\.xml:2: <\/microshader> where <\/microshaders> \(line 1\) should be/],
     ['<microshaders/>\n<microshaders/>', /test\.xml:2: a second root element/],
-    ['<microshaders/>\nmore', /test\.xml:2: text outside of the root/],
+    ['<microshaders/>\nmore', /test\.xml:2: text outside the root/],
     ['</microshaders>', /test\.xml:1: <\/microshaders> closes nothing/],
     [inside('<microshader/>'), /test\.xml:2: <microshader> without a name/],
     [inside('<microshader name=""/>'), /test\.xml:2: <microshader> without a name/],
@@ -68,12 +68,12 @@ describe('parseMicroShaderXML', () => {
     [inside('<microshader name="a"><main/>\n<maincode/></microshader>'), /test\.xml:3: a second <maincode>/],
     [
       inside('<microshader name="a"><main>\ni < 2\n</main></microshader>'),
-      /test\.xml:3: "< 2" is not XML; put code into <!\[CDATA\[/,
+      /test\.xml:3: "< 2" is not XML; put GLSL into <!\[CDATA\[/,
     ],
-    [inside('<microshader name="a"><main>\n\na &amp;& b</main></microshader>'), /test\.xml:4: "&" is no entity/],
+    [inside('<microshader name="a"><main>\n\na &amp;& b</main></microshader>'), /test\.xml:4: "&" is not an entity/],
     ...['&nbsp;', '&constructor;', '&lt', '&ltx;', '&#0;', '&#x110000;', '&#65'].map((text): [string, RegExp] => [
       inside(`<microshader name="a"><main>${text}</main></microshader>`),
-      new RegExp(`test\\.xml:2: "${text}" is no entity`),
+      new RegExp(`test\\.xml:2: "${text}" is not an entity`),
     ]),
     [inside('<microshader name="a"><main><b/></main></microshader>'), /test\.xml:2: <b> in the code of "a"/],
     [

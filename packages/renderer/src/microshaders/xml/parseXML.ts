@@ -47,7 +47,7 @@ export function parseXML(text: string, file: string): XMLElement {
       if (end && point > 0 && point <= 0x10ffff) return String.fromCodePoint(point);
       if (end && Object.hasOwn(ENTITIES, reference)) return ENTITIES[reference];
       return fail(
-        `"${shortText(whole)}" is no entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`,
+        `"${shortText(whole)}" is not an entity; write "&amp;" for "&", or use <![CDATA[ … ]]>`,
         value.slice(0, offset),
       );
     });
@@ -56,7 +56,7 @@ export function parseXML(text: string, file: string): XMLElement {
   const append = (value: string) => {
     const parent = stack.at(-1);
     if (parent) parent.text += value;
-    else if (value.trim() !== '') fail('text outside of the root element', /^\s*/.exec(value)![0]);
+    else if (value.trim() !== '') fail('text outside the root element', /^\s*/.exec(value)![0]);
   };
   const open = (name: string, attributes: string, end: number): XMLElement => {
     const values: Record<string, string> = {};
@@ -78,7 +78,7 @@ export function parseXML(text: string, file: string): XMLElement {
     const at = TOKEN.lastIndex;
     const match = TOKEN.exec(xml);
     if (match === null)
-      return fail(`"${xml.slice(at, at + 20).split('\n')[0]}" is not XML; put code into <![CDATA[ … ]]>`);
+      return fail(`"${xml.slice(at, at + 20).split('\n')[0]}" is not XML; put GLSL into <![CDATA[ … ]]>`);
     const { data, close, open: name, attributes, empty, text: plain } = match.groups!;
     const end = line + newlines(match[0]);
     if (name !== undefined) {
@@ -89,7 +89,7 @@ export function parseXML(text: string, file: string): XMLElement {
       if (opened.name !== close)
         fail(`</${shortText(close)}> where </${shortText(opened.name)}> (line ${opened.line}) should be`);
     } else if (data !== undefined) {
-      if (stack.length === 0) fail('CDATA outside of the root element');
+      if (stack.length === 0) fail('CDATA outside the root element');
       append(data);
     } else if (plain !== undefined) {
       if (plain.includes(']]>')) fail('"]]>" without <![CDATA[');
@@ -98,7 +98,7 @@ export function parseXML(text: string, file: string): XMLElement {
     line = end;
   }
   if (stack.length > 0) fail(`<${shortText(stack.at(-1)!.name)}> of line ${stack.at(-1)!.line} is never closed`);
-  return root ?? fail('no element');
+  return root ?? fail('there is no root element');
 }
 
 function newlines(text: string): number {

@@ -151,12 +151,12 @@ describe('BudgetController', () => {
   });
 
   it.each([
-    [{ frame: NaN }, /frame: NaN.*milliseconds above 0/],
-    [{ frame: 0 }, /milliseconds above 0/],
-    [{ frame: 16.7, min: NaN }, /min is to be/],
-    [{ frame: 16.7, min: 0.8, max: 0.7 }, /min is to be 0.25 to max/],
-    [{ frame: 16.7, max: 1.5 }, /max is to be 0.25 to 1/],
-    [{ frame: 16.7, sharpness: 2 }, /sharpness is to be 0 to 1/],
+    [{ frame: NaN }, /frame: NaN.*above 0 ms/],
+    [{ frame: 0 }, /above 0 ms/],
+    [{ frame: 16.7, min: NaN }, /give a min/],
+    [{ frame: 16.7, min: 0.8, max: 0.7 }, /give a min from 0.25 to max/],
+    [{ frame: 16.7, max: 1.5 }, /give a max from 0.25 to 1/],
+    [{ frame: 16.7, sharpness: 2 }, /give a sharpness from 0 to 1/],
   ])('%o is refused by name', (budget, message) => {
     expect(() => checkBudget(budget)).toThrow(message);
   });

@@ -142,16 +142,16 @@ test('a plan alone draws nothing, and must be made for each draw', () => {
   map.plan(true);
   map.draw();
   expect(map.state).toBe('partial');
-  expect(() => map.draw()).toThrow('not planned');
+  expect(() => map.draw()).toThrow('before it was planned');
   map.plan(true);
   map.release();
-  expect(() => map.draw(), 'its region is gone').toThrow('not planned');
+  expect(() => map.draw(), 'its region is gone').toThrow('before it was planned');
   map.place();
-  expect(() => map.draw(), 'of another region').toThrow('not planned');
+  expect(() => map.draw(), 'of another region').toThrow('before it was planned');
 });
 
 test('bounds are of what is drawn: a change keeps them, a draw, a loss or another region do not', () => {
-  for (const state of ['none', 'empty', 'lost'] as const) expect(() => mapIn(state).bound()).toThrow('not drawn');
+  for (const state of ['none', 'empty', 'lost'] as const) expect(() => mapIn(state).bound()).toThrow('no bounds');
   const ends: ((map: AtlasMap) => void)[] = [
     (map) => map.plan(false),
     (map) => map.lose(),

@@ -122,7 +122,7 @@ export class AtlasMap {
    * @throws Error when that was not planned
    */
   draw(): void {
-    if (this.planned === null) throw new Error('A map was drawn that was not planned: call plan() first.');
+    if (this.planned === null) throw new Error('A shadow map was drawn before it was planned: call plan() first.');
     this.current = this.planned;
     this.planned = null;
     this.drawn = true;
@@ -133,7 +133,7 @@ export class AtlasMap {
    * @throws Error when there are no depths
    */
   bound(): void {
-    if (!this.isThere) throw new Error('A map that is not drawn has no bounds: draw it first.');
+    if (!this.isThere) throw new Error('A shadow map has no bounds before it is drawn: draw it first.');
     this.bounds = true;
   }
 }

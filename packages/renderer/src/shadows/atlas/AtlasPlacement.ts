@@ -44,7 +44,7 @@ export class AtlasPlacement {
    * @throws Error when there is a region already
    */
   take(region: Region, faceWidth: number, faceHeight: number, border: number): void {
-    if (this.rectangle !== null) throw new Error('A map has a region already: drop it before another is taken.');
+    if (this.rectangle !== null) throw new Error('A shadow map has a region already: drop it before you take another.');
     this.rectangle = region;
     this.width = faceWidth;
     this.height = faceHeight;

@@ -1,6 +1,6 @@
 /** Whole numbers that a half float holds exactly end at 2,048. */
 const NUMBERS = 2047;
-/** Corners of each two by two texels that transparent layers take; the fourth is the opaque things' own. */
+/** Texels of each 2 × 2 that transparent layers are lit in; the fourth belongs to opaque surfaces. */
 export const STIPPLE_LAYERS = 3;
 
 /**

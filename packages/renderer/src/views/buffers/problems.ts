@@ -1,7 +1,7 @@
 /** Sentences of `ViewInfo.problem`, by what a frame lacks. */
 export const problems = {
   occlusion:
-    'Ambient occlusion is not in this frame: switch it on, with a technique that knows depth before it shades, such as Deferred shading, Light pre-pass or Forward+.',
+    'Ambient occlusion is not in this frame: switch it on, with a technique that has depth before it lights, such as Deferred shading, Light pre-pass or Forward+.',
   motion: 'Motion is not in this frame: switch on the anti-aliasing TAA.',
   reactive: 'The reactive mask is not in this frame: switch on the anti-aliasing TAA.',
   notReactive: 'The reactive mask is empty: it holds particles, and none is in view.',

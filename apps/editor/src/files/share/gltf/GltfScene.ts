@@ -228,7 +228,7 @@ export class GltfScene {
   /** Converts a mesh's geometry and materials to glTF. @returns whether anything is left of it */
   private async convert(drawn: Drawn, user: string, object: string): Promise<boolean> {
     if (!hasReadableVertices(drawn.geometry)) {
-      this.leftOut.add(t('Meshes whose vertices only the GPU has are left out'), object);
+      this.leftOut.add(t('Meshes whose arrays were freed are left out'), object);
       return false;
     }
     const sources = Array.isArray(drawn.material) ? drawn.material : [drawn.material];

@@ -19,7 +19,7 @@ function canvasOf(width: number, height: number): { canvas: HTMLCanvasElement; c
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error(t('the browser gives no canvas to draw it to: close other pages and try again.'));
+  if (!context) throw new Error(t('the browser has no canvas left to draw it on: close other pages and try again.'));
   return { canvas, context };
 }
 

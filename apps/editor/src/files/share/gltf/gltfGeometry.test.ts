@@ -16,6 +16,6 @@ it('meshes whose vertices are on the GPU alone are named as left out of a file',
   for (const attribute of Object.values(object.getComponent(ObjectRenderer)!.geometry!.attributes))
     (attribute as { array: unknown }).array = null;
   const { leftOut } = await exportInTest(scene);
-  expect(leftOut).toContain('Meshes whose vertices only the GPU has are left out (1)');
+  expect(leftOut).toContain('Meshes whose arrays were freed are left out (1)');
   scene.dispose();
 });
