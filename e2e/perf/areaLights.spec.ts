@@ -10,8 +10,7 @@ import { expect, test } from './perfTest';
 const onGpu = Boolean(process.env.FAROL_GPU);
 const most = onGpu ? 4 : 8;
 
-const when = onGpu ? '@long' : '@verify';
-test(`rectangle lights cost a few times what point lights of the same reach cost ${when}`, async ({ page }) => {
+test('rectangle lights cost a few times what point lights of the same reach cost @long', async ({ page }) => {
   test.setTimeout(300_000);
   const size = onGpu
     ? { lights: 1000, width: 1280, height: 720, rounds: 15, frames: 8, gpuTimes: true }

@@ -92,7 +92,7 @@ function isOfVerify(node, textOf) {
  * @type {readonly { file: string, most: number, reason: string }[]}
  */
 export const clockLimits = [
-  { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws, for a test of @verify and @long alone' },
+  { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws, for a test of @long alone' },
 ];
 
 /**

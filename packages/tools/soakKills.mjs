@@ -1,9 +1,9 @@
 /**
  * @typedef {import('playwright-core').BrowserContext} BrowserContext
  * @typedef {import('playwright-core').Page} Page
- * @typedef {{ mode: string, offered: boolean, edits: number, lost: number, lostMs: number, stallMs: number }} Kill
- *   edits that were made and those that are gone; the age of the oldest of these at the kill, and the longest that the
- *   page's own thread stood still in the seconds before (ms)
+ * @typedef {{ mode: string, offered: boolean, edits: number, stored: number, kept: number, lost: number, lostMs: number, stallMs: number }} Kill
+ *   edits that were made, the last that was told to be in a draft, the last that is there, and how many are gone; the age
+ *   of the oldest of these at the kill, and the longest that the page's own thread stood still in the seconds before (ms)
  */
 
 /** Kinds of edits during which the tab is killed. */
@@ -30,7 +30,7 @@ export async function killTab(context, { url, random, mode }) {
   const page = await openEditor(context, url);
   /** @type {{ n: number, time: number }[]} */
   const edits = [];
-  let stallMs = 0;
+  let [stored, stallMs] = [0, 0];
   /** @type {{ time: number, ms: number }[]} */
   const stalls = [];
   const step = mode === 'drag' ? DRAG_STEP : STEP;
@@ -40,10 +40,12 @@ export async function killTab(context, { url, random, mode }) {
   const enough = new Promise((resolve) => (kill = () => resolve(undefined)));
   await page.exposeFunction(
     'soakEdit',
-    (/** @type {number} */ n, /** @type {number} */ time, /** @type {number} */ ms) => {
+    (/** @type {number} */ n, /** @type {number} */ time, /** @type {number} */ ms, /** @type {number} */ inDraft) => {
       edits.push({ n, time });
       stalls.push({ time, ms });
-      if (edits.length === killedAfter) kill();
+      stored = inDraft;
+      // on a machine that is slow to store, edits go on until some are
+      if (edits.length >= killedAfter && (stored > 0 || edits.length > 2000)) kill();
     },
   );
   if (mode === 'slow') await slowWrites(page);
@@ -88,6 +90,7 @@ export async function killTab(context, { url, random, mode }) {
     mode,
     offered,
     edits: last.length,
+    ...{ stored, kept },
     lost: gone.length,
     lostMs: gone.length > 0 ? killedAt - gone[0].time : 0,
     stallMs,
@@ -120,8 +123,11 @@ async function slowWrites(page) {
 /** Edits on and on, in the page; each edit is told to the test with its time. @param {{ mode: string, step: number }} options */
 function edit({ mode, step: pause }) {
   const page = /** @type {any} */ (window);
-  const { commands, document } = page.editor;
+  const { autosave, commands, document } = page.editor;
   let n = 0;
+  // what was edited when a draft was stored is in the next one, which is read from then on
+  let [stored, atDraft] = [0, 0];
+  autosave.stored.subscribe(() => ([stored, atDraft] = [atDraft, n]));
   let last = performance.now();
   /** @param {() => void} act */
   const command = (act) => ({ label: `Edit ${n}`, isEmpty: false, do: act, undo: () => {} });
@@ -142,7 +148,7 @@ function edit({ mode, step: pause }) {
     };
     if (gesture) gesture.preview(command(act));
     else commands.run(command(act));
-    page.soakEdit(n, Date.now(), gap);
+    page.soakEdit(n, Date.now(), gap, stored);
     setTimeout(step, pause);
   };
   step();

@@ -13,13 +13,12 @@ export function useOwnersRevision(owners: readonly FieldOwner[]): number {
     let isRead = true;
     const follow = (listener: () => void): (() => void) => {
       revision = sum();
-      const endings = signals.map((signal) =>
-        signal.subscribe(() => {
-          revision++;
-          if (isRead) listener();
-          isRead = false;
-        }),
-      );
+      const tell = (): void => {
+        revision++;
+        if (isRead) listener();
+        isRead = false;
+      };
+      const endings = signals.map((signal) => signal.subscribe(tell));
       return () => endings.forEach((end) => end());
     };
     return [follow, () => ((isRead = true), revision)] as const;

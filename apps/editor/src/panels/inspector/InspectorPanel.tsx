@@ -20,7 +20,6 @@ export function InspectorPanel(): ReactNode {
   const search = fieldSearchOf(editor);
   useSignal(search.changed);
   const { text: filter } = search;
-  const setFilter = (text: string): void => void (search.text = text);
   const words = useMemo(() => wordsOfFilter(filter), [filter]);
   // deferred, so that walking through the tree with a held key does not wait for the inspector
   const ids = useDeferredValue(document.selection.ids);
@@ -71,11 +70,11 @@ export function InspectorPanel(): ReactNode {
           aria-label={t('Find a field')}
           autoComplete="off"
           spellCheck={false}
-          onChange={(event) => setFilter(event.target.value)}
+          onChange={(event) => search.find(event.target.value)}
           onKeyDown={(event) => {
             if (isComposing(event) || event.key !== 'Escape') return;
             event.stopPropagation();
-            setFilter('');
+            search.find('');
             event.currentTarget.blur();
           }}
         />

@@ -8,25 +8,20 @@ export class FieldSearch {
   private endsWithSelection = false;
 
   constructor({ document }: EditorApi) {
-    document.opened.subscribe(() => (this.text = ''));
+    document.opened.subscribe(() => this.find(''));
     for (const { changed } of [document.selection, document.assetSelection])
-      changed.subscribe(() => this.endsWithSelection && (this.text = ''));
+      changed.subscribe(() => this.endsWithSelection && this.find(''));
   }
 
   get text(): string {
     return this.words;
   }
 
-  set text(text: string) {
+  /** @param endsWithSelection - for a field of what is selected, which another selection lacks */
+  find(text: string, endsWithSelection = false): void {
     this.words = text;
-    this.endsWithSelection = false;
+    this.endsWithSelection = endsWithSelection;
     this.changed.emit();
-  }
-
-  /** Shows one field of what is selected: the search ends with the selection, as another has no such field. */
-  find(text: string): void {
-    this.text = text;
-    this.endsWithSelection = true;
   }
 }
 

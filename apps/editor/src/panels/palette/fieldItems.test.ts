@@ -27,7 +27,7 @@ it('finds fields of the scene, and shows one in the inspector in place of the se
   // another selection has no such field; what the user types stays over selections, up to another scene
   editor.document.selection.set([object.id]);
   expect(fieldSearchOf(editor).text).toBe('');
-  fieldSearchOf(editor).text = 'position';
+  fieldSearchOf(editor).find('position');
   editor.document.selection.clear();
   expect(fieldSearchOf(editor).text).toBe('position');
   editor.document.opened.emit();

@@ -22,7 +22,7 @@ function itemsOf(editor: EditorApi, owner: FieldOwner, group: string, show: () =
       run() {
         show();
         editor.document.assetSelection.clear();
-        fieldSearchOf(editor).find(`${label} ${owner === editor.document.scene.settings ? '' : group}`.trim());
+        fieldSearchOf(editor).find(`${label} ${owner === editor.document.scene.settings ? '' : group}`.trim(), true);
         editor.layout.open('inspector');
       },
     };
