@@ -3,7 +3,7 @@ import { Vector3 } from 'three';
 import type { DataTable } from '../../gpu/DataTable';
 import type { AreaRadii, FarolLightData } from '../../lights/lightData';
 import type { MicroShaderRegistry } from '../../microshaders';
-import { needShape } from './areaFeatures';
+import { needArea } from './areaFeatures';
 import { AREA, areaShapes } from './areaRecord';
 import { makeTransforms } from './makeTransforms';
 
@@ -20,7 +20,7 @@ export class AreaLightTable implements AreaRadii {
 
   /**
    * @param uniform - uniform that gets the linearly transformed cosines
-   * @param microshaders - registry that gets code for the shapes of lights
+   * @param microshaders - registry that gets code for the kinds of lights
    */
   constructor(
     webgl: WebGLRenderer,
@@ -34,8 +34,8 @@ export class AreaLightTable implements AreaRadii {
   radiusOf(light: RectAreaLight): number {
     const { width, height } = light;
     if (!(width > 0 && height > 0)) return NaN;
-    needShape(this.microshaders, shapeOf(light));
     const reach = this.reachOf(light);
+    needArea(this.microshaders, shapeOf(light), reach !== 0);
     return reach === 0 ? 0 : reach + 0.5 * Math.hypot(width, height);
   }
 

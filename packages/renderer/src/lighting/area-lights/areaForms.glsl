@@ -51,7 +51,7 @@ FarolArea farol_areaAt(const in int extension, const in vec3 toLight, const in v
   vec3 u = farol_areaHalfWidth(across);
   vec3 v = farol_areaHalfHeight(up);
   FarolArea area = FarolArea(farol_areaShape(across), toLight, u, v, 0.0);
-#if ( FAROL_AREA_SHAPES & 4 ) != 0 // tubes
+#if ( FAROL_AREA_KINDS & 4 ) != 0 // tubes
   bool isTube = area.shape == FAROL_AREA_TUBE;
 #else
   const bool isTube = false;
@@ -79,7 +79,7 @@ vec3 farol_toLobe(const in vec4 ltc, const in vec3 v) {
   return vec3(ltc.x * v.x + ltc.z * v.z, v.y, ltc.y * v.x + ltc.w * v.z);
 }
 
-#if ( FAROL_AREA_SHAPES & 2 ) != 0 // discs
+#if ( FAROL_AREA_KINDS & 2 ) != 0 // discs
 // a sphere of the same form factor, cut by the horizon: by three's table
 float farol_discShare(const in vec3 centre, const in vec3 u, const in vec3 v) {
   vec2 form = farol_discForm(centre, u, v);
@@ -90,14 +90,14 @@ float farol_discShare(const in vec3 centre, const in vec3 u, const in vec3 v) {
 
 // share of the cosine lobe that a light fills; area: in tangent space
 float farol_areaDiffuse(const in FarolArea area) {
-#if ( FAROL_AREA_SHAPES & 2 ) != 0 // discs
+#if ( FAROL_AREA_KINDS & 2 ) != 0 // discs
   if (area.shape == FAROL_AREA_DISC) return farol_discShare(area.centre, area.halfWidth, area.halfHeight);
 #endif
-#if ( FAROL_AREA_SHAPES & 4 ) != 0 // tubes
+#if ( FAROL_AREA_KINDS & 4 ) != 0 // tubes
   if (area.shape == FAROL_AREA_TUBE)
     return farol_tubeForm(area.centre - area.halfWidth, area.centre + area.halfWidth, length(area.halfHeight));
 #endif
-#if ( FAROL_AREA_SHAPES & 1 ) != 0 // rectangles
+#if ( FAROL_AREA_KINDS & 1 ) != 0 // rectangles
   if (!farol_isBelowHorizon(area.centre, area.halfWidth, area.halfHeight))
     return farol_aboveHorizon(farol_rectangleForm(area.centre, area.halfWidth, area.halfHeight));
 #endif
@@ -109,17 +109,17 @@ float farol_areaSpecular(const in FarolArea area, const in vec4 ltc) {
   vec3 centre = farol_toLobe(ltc, area.centre);
   vec3 u = farol_toLobe(ltc, area.halfWidth);
   vec3 v = farol_toLobe(ltc, area.halfHeight);
-#if ( FAROL_AREA_SHAPES & 2 ) != 0 // discs
+#if ( FAROL_AREA_KINDS & 2 ) != 0 // discs
   if (area.shape == FAROL_AREA_DISC) return farol_discShare(centre, u, v);
 #endif
-#if ( FAROL_AREA_SHAPES & 4 ) != 0 // tubes
+#if ( FAROL_AREA_KINDS & 4 ) != 0 // tubes
   if (area.shape == FAROL_AREA_TUBE) {
     mat3 m = mat3(ltc.x, 0.0, ltc.y, 0.0, 1.0, 0.0, ltc.z, 0.0, ltc.w);
     float radius = length(area.halfHeight) * farol_tubeWidth(m, area.centre, area.halfWidth);
     return farol_tubeForm(centre - u, centre + u, radius);
   }
 #endif
-#if ( FAROL_AREA_SHAPES & 1 ) != 0 // rectangles
+#if ( FAROL_AREA_KINDS & 1 ) != 0 // rectangles
   if (!farol_isBelowHorizon(centre, u, v)) return farol_aboveHorizon(farol_rectangleForm(centre, u, v));
 #endif
   return 0.0;

@@ -40,15 +40,25 @@ uniform highp ivec2 farol_areaCounts;
     float range = farol_lightRange(sphere); \
     if (farol_lightIsPlain(emission) || dot(toLight, toLight) >= range * range) return; \
     vec4 details = farol_lightDetails(record); \
-    if (farol_lightIsArea(details)) farol_addArea(s, lobe, farol_lightExtensionRecord(details), toLight, \
-      farol_lightColor(emission), farol_lightMaskRecord(details)); \
+    if (farol_lightIsArea(details)) FAROL_ADD_LISTED_AREA \
   }
+// code for lights with a range (8) and without (16), each where the scene has had one: compilers copy it to each call
+#if ( FAROL_AREA_KINDS & 8 ) != 0
+#define FAROL_ADD_LISTED_AREA farol_addArea(s, lobe, farol_lightExtensionRecord(details), toLight, \
+  farol_lightColor(emission), farol_lightMaskRecord(details));
+#else
+#define FAROL_ADD_LISTED_AREA {}
+#endif
+#if ( FAROL_AREA_KINDS & 16 ) != 0
 #define FAROL_ADD_AREA(light) \
   if (light.extension < 0) { \
     if (farol_isPhysical(s)) \
       farol_addArea(s, FAROL_LOBE_OF(s), -light.extension, light.direction * light.distance, light.color, light.mask); \
     return; \
   }
+#else
+#define FAROL_ADD_AREA(light)
+#endif
 #define FAROL_ADD_BOUNDED_AREA(s, record) \
   if (farol_areaCounts.y > 0 && farol_isPhysical(s)) farol_addListedArea(s, FAROL_LOBE_OF(s), record);
 #define FAROL_AREA_SPECULAR(s, f0, f90, roughness) + s.area * farol_areaFresnel(f0, f90, roughness, s.dotNV)
