@@ -180,7 +180,8 @@ export class Viewer {
    */
   async loadScene(name: string, parameters: Record<string, FieldValue> = {}, keepCamera = false): Promise<void> {
     const load = ++this.loads;
-    if (!Object.hasOwn(scenes, name)) throw new Error(`it is unknown: known are ${Object.keys(scenes).join(', ')}.`);
+    if (!Object.hasOwn(scenes, name))
+      throw new Error(`it is unknown: choose one of ${Object.keys(scenes).join(', ')}.`);
     const scene = await scenes[name].build(parameters, this.assets);
     if (load !== this.loads) return scene.dispose();
     this.replaceScene(scene, keepCamera);
