@@ -98,9 +98,12 @@ export class ResourceTable {
   put<R extends HandedResource>(name: R, value: Resources[R]): void {
     const { user } = this;
     if (user !== null && !user.writes.includes(name)) throw this.undeclared(user, 'writes', name);
-    const entry = (this.entries[name] ??= { value, frame: 0 });
-    entry.value = value;
-    entry.frame = this.frame;
+    const entry = this.entries[name];
+    if (entry === undefined) this.entries[name] = { value, frame: this.frame };
+    else {
+      entry.value = value;
+      entry.frame = this.frame;
+    }
   }
 
   /**

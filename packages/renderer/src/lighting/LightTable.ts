@@ -38,7 +38,9 @@ export type RankLights = (lights: LightTable, camera: Camera, size: PictureSize)
  */
 export class LightTable extends VisibleLights {
   readonly table = new DataTable(RECORDS_PER_ROW * TEXELS_PER_RECORD);
-  /** Index in `boundeds` of the light of each record, counted from `firstBounded`. Only the first `bounded` are valid. */
+  /**
+   * Index in `boundeds` of the light of each record, counted from `firstBounded`. Only the first `bounded` are valid.
+   */
   order: Uint32Array = new Uint32Array(64);
   /** Number of lights with a range that are not plain point lights. */
   others = 0;

@@ -98,7 +98,10 @@ export class InfoRecorder {
       known.set(name, pass);
     }
     this.info.passes.push(pass);
-    if (isIdle) return void (pass.drawCalls + pass.cpuMs > 0 && Object.assign(pass, IDLE));
+    if (isIdle) {
+      pass.drawCalls = pass.triangles = pass.cpuMs = 0;
+      return void (pass.gpuMs = null);
+    }
     this.pass = pass;
     const { render } = this.webgl.info;
     this.calls = render.calls;

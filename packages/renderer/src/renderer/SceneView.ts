@@ -24,14 +24,16 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
-/** @param backs - whether to draw only back faces of double-sided transmissive objects, into three's transmission target */
+/**
+ * @param backs - whether to draw only back faces of double-sided transmissive objects, into three's transmission target
+ */
 export type DrawScene = (backs: boolean) => void;
 
 /** Stand-in for a host's scene that three's `render` is given. */
 export type FarolView = Object3D & { readonly isFarolView?: true };
 
 const NOTHING = () => undefined;
-const FLAGS = ['autoClear', 'autoClearColor', 'autoClearDepth', 'autoClearStencil'] as const;
+const NEVER = [false, false, false, false];
 
 /**
  * Stand-in for a host's scene that three's own `render` is given: three does traversal, culling, geometry updates,
@@ -50,7 +52,10 @@ export class SceneView {
   /** Lists that `list` is taken from; replaced when a lost context is restored. */
   private lists!: RenderLists;
   private getList!: RenderLists['get'];
-  /** Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` is done. */
+  /**
+   * Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` has put its stacks in
+   * order.
+   */
   private failed = false;
   private error: unknown;
   /** Stands for all transmissive objects: three fills its transmission target only if there is one. */
@@ -64,7 +69,7 @@ export class SceneView {
   private holdsCamera = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
-  /** The host's FLAGS while three is kept from clearing. */
+  /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
   private readonly autoClear = [true, true, true, true];
   private keeps = false;
   /** Pixels that draws must write, since three was kept from clearing the target; null if three clears. */
@@ -124,12 +129,9 @@ export class SceneView {
     this.draw = draw;
     this.fills = fills;
     queue.clear();
-    // an array that is emptied and filled again would grow in each frame
-    const { children } = this;
-    let count = 0;
-    for (const child of rest) children[count++] = child;
-    if (shadows !== null) for (const proxy of shadows.proxies) children[count++] = proxy;
-    children.length = count;
+    this.children.length = 0;
+    for (const child of rest) this.children.push(child);
+    if (shadows !== null) for (const proxy of shadows.proxies) this.children.push(proxy);
     this.lights = lights;
     this.camera = camera;
     this.failed = false;
@@ -200,15 +202,26 @@ export class SceneView {
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
     this.uncleared = fills === 'behind' && (!queue!.covers || queue!.reachesFar) ? null : fills;
     if (this.uncleared === null) return;
-    for (let i = 0; i < FLAGS.length; i++) autoClear[i] = webgl[FLAGS[i]];
+    autoClear[0] = webgl.autoClear;
+    autoClear[1] = webgl.autoClearColor;
+    autoClear[2] = webgl.autoClearDepth;
+    autoClear[3] = webgl.autoClearStencil;
     if (fills === 'behind') webgl.autoClearColor = false;
-    else for (const flag of FLAGS) webgl[flag] = false;
+    else this.setAutoClear(NEVER);
     this.keeps = true;
   }
 
   private restoreClear(): void {
-    if (this.keeps) for (let i = 0; i < FLAGS.length; i++) this.webgl[FLAGS[i]] = this.autoClear[i];
+    if (this.keeps) this.setAutoClear(this.autoClear);
     this.keeps = false;
+  }
+
+  private setAutoClear(flags: readonly boolean[]): void {
+    const { webgl } = this;
+    webgl.autoClear = flags[0];
+    webgl.autoClearColor = flags[1];
+    webgl.autoClearDepth = flags[2];
+    webgl.autoClearStencil = flags[3];
   }
 
   /** True if three is about to clear colour and depth to a colour, and draws no background. */

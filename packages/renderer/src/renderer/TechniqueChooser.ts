@@ -55,9 +55,15 @@ const FEW_OBJECTS = 8;
 const MANY_OVER_A_PIXEL = 3;
 /** Number of small lights with a range from which on tile lists, made on the GPU, cost less than cluster lists. */
 const MANY_LIGHTS = 90;
-/** Greatest share of the picture of a small light. Larger ones fill whole tiles; only clusters separate their depths. */
+/**
+ * Greatest share of the picture that a small light covers. Larger lights fill whole tiles; only clusters separate their
+ * depths.
+ */
 const SMALL_LIGHT = 0.125;
-/** Number of lights with a range, of any size, from which on clusters, sorted by the CPU, cost more than they save. */
+/**
+ * Number of lights with a range, of any size, from which on clusters, which the CPU sorts lights into, cost more than they
+ * save.
+ */
 const VERY_MANY_LIGHTS = 200;
 /**
  * Number of opaque items from which on the CPU takes longer than the GPU, and number of lights from which on it then takes
@@ -82,7 +88,10 @@ const SLACK = 1.3;
 const PATIENCE = 8;
 /** Frames in a row in which another technique is best, by however little, after which the choice no longer stays. */
 const LASTING = 120;
-/** A bound passed by this factor counts at once in a scene's first frames: it is loading, maybe not drawn again soon. */
+/**
+ * A bound passed by this factor counts at once in a scene's first frames: it is loading, and may not be drawn again
+ * soon.
+ */
 const FAR = 4;
 
 const choices: Record<ChosenTechnique, Choice> = {

@@ -15,8 +15,6 @@ export class FoundLights {
   readonly nested: Light[] = [];
   /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
   readonly rest: Object3D[] = [];
-  /** Number of objects in `rest` so far. */
-  kept = 0;
   /** Whether `masks` counts the lights that cast a shadow, throw an image or have a profile. */
   seeksMasks = true;
   masks = 0;
@@ -37,8 +35,9 @@ const FORCED = 2;
 /**
  * Finds the managed lights that the camera's layers see, parents before children.
  * @param camera - the camera, or the array of cameras that contains it
- * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: memory is read once.
- *   Default false
+ * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in
+ * memory
+ *   is fetched once, not twice. Default false
  */
 export function collectLights(
   root: Object3D,
@@ -48,9 +47,9 @@ export function collectLights(
   update = false,
 ): void {
   found.count = 0;
-  found.masks = found.left = found.kept = 0;
+  found.masks = found.left = 0;
   found.hasArea = false;
-  found.nested.length = 0;
+  found.nested.length = found.rest.length = 0;
   const isScene = (root as Scene).isScene === true;
   const byChild = update && isScene && root.visible && root.updateMatrixWorld === updateMatrixWorld;
   if (update && !byChild) root.updateMatrixWorld();
@@ -58,13 +57,12 @@ export function collectLights(
     if (byChild) visitChildren(root, camera, left, found, updateOne(root, false) ? FORCED : UPDATED);
     else if (root.visible) visitChildren(root, camera, left, found, KEPT);
   } else {
-    found.rest[found.kept++] = root;
+    found.rest.push(root);
     // three's traversal meets the lights that are its children too
     if (root.visible) visit(root, (root as Light).isLight === true, camera, left, found);
   }
   // drops references to lights of larger earlier frames
   if (found.all.length > found.count) found.all.length = found.count;
-  found.rest.length = found.kept;
 }
 
 /** As three's `updateMatrixWorld`, without the children. @returns whether the children's matrices must be updated */
@@ -97,7 +95,7 @@ function visitChildren(
     if (isLight && child.children.length === 0) {
       if (matrices !== KEPT) updateLight(child as Light, unmoved ? parent : null, matrices === FORCED);
       if (!child.visible || take(child as Light, camera, left, found)) continue;
-      found.rest[found.kept++] = child;
+      found.rest.push(child);
       continue;
     }
     if (matrices !== KEPT) child.updateMatrixWorld(matrices === FORCED);
@@ -105,7 +103,7 @@ function visitChildren(
     const first = found.nested.length;
     // of a lamp without a shape three has nothing to traverse
     if (visit(child, isLight, camera, left, found)) found.nested.length = first;
-    else found.rest[found.kept++] = child;
+    else found.rest.push(child);
   }
 }
 

@@ -17,6 +17,7 @@ export function drawPasses(
     const replacement = replacementOf(pass, effects);
     const isIdle = replacement === null && pass.isIdle?.(frame) === true;
     recorder.beginPass(pass.name, isIdle);
+    // an idle pass hands over its resources to effects alone
     if (isIdle && effects.length === 0) continue;
     resources.use(technique, pass);
     (replacement ?? pass).render!(frame, pass);
