@@ -18,7 +18,7 @@ export interface Pass extends ResourceUser {
    * Called in place of `render` while programs are compiled ahead; needed by passes that draw other than by `frame`.
    */
   warmUp?(frame: Frame): void;
-  /** Whether `render` draws nothing in this frame: it is then called only if effects may read what it hands over. Default: not known. */
+  /** Whether `render` draws nothing in this frame, so that it is not timed. Default: not known. */
   isIdle?(frame: Frame): boolean;
   /** Bytes of the targets that the pass holds. */
   readonly bytes: number;

@@ -49,8 +49,8 @@ export class RefusedMaterials {
 
   /** Ends a frame. @returns whether it has to be drawn once more, with three's lights */
   end(scene: Object3D, isLitByThree: boolean): boolean {
-    if (!this.met && !isLitByThree) return false;
-    this.scenes.set(scene, this.met ? KEPT_FRAMES : (this.scenes.get(scene) ?? 0) - 1);
+    const left = this.met ? KEPT_FRAMES : (this.scenes.get(scene) ?? 0) - 1;
+    if (this.met || isLitByThree) this.scenes.set(scene, left);
     return this.met && !isLitByThree;
   }
 }

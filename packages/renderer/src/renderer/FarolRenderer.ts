@@ -31,11 +31,13 @@ import { createRegistry } from './createRegistry';
 import { updateCamera } from './sceneCallbacks';
 import { SceneDraws } from './SceneDraws';
 import { SceneView } from './SceneView';
-import { TaskFlush } from './TaskFlush';
 import type { TechniqueName } from '../techniques';
 import type { Technique } from '../frame/Technique';
 import { TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
+
+/** Below this many draws and lights, `gl.flush()` costs more than it gains. */
+const FEW = 16;
 
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
@@ -62,7 +64,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private readonly frame: Frame;
   private readonly lights = new FrameLights();
   private readonly twins: TwinCache;
-  private readonly taskFlush: TaskFlush;
   private readonly last = new LastFrame(() => this.disposed || this.dispatchEvent({ type: 'redraw' }));
   private readonly recorder: InfoRecorder;
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
@@ -89,7 +90,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   ) {
     super();
     checkDevice(webgl, false);
-    this.taskFlush = new TaskFlush(webgl.getContext());
     this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LazyViews(this.microshaders);
@@ -230,7 +230,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (webgl.getContext().isContextLost()) return;
     if (this.isDrawing) return webgl.render(scene, camera);
     this.isDrawing = true;
-    this.taskFlush.begin();
     const outer = this.last.begin();
     try {
       if (webgl.xr.enabled) this.xr ??= xrCode.use((code) => new code.XRDraws(webgl));
@@ -275,7 +274,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
         finder.found.rest,
         frame.queue,
         draws.draw,
-        fills !== null && frame.view === 'final' && frame.ownsTarget() ? fills : null,
+        frame.view === 'final' && frame.ownsTarget() ? fills : null,
         shadows,
         frame.camera === camera && !webgl.xr.enabled,
       );
@@ -289,7 +288,9 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       if (!done || webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
       this.recorder.endPass();
     }
-    this.taskFlush.end(Math.max(this.info.drawCalls, frame.lights.total + (frame.fields?.count ?? 0)));
+    // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
+    const lights = frame.lights.total + (frame.fields?.count ?? 0);
+    if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame, shadows);
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);

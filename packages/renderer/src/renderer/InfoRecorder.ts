@@ -98,10 +98,7 @@ export class InfoRecorder {
       known.set(name, pass);
     }
     this.info.passes.push(pass);
-    if (isIdle) {
-      pass.drawCalls = pass.triangles = pass.cpuMs = 0;
-      return void (pass.gpuMs = null);
-    }
+    if (isIdle) return void Object.assign(pass, IDLE);
     this.pass = pass;
     const { render } = this.webgl.info;
     this.calls = render.calls;

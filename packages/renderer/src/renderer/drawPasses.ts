@@ -15,10 +15,7 @@ export function drawPasses(
   const { resources } = frame;
   for (const pass of passes) {
     const replacement = replacementOf(pass, effects);
-    const isIdle = replacement === null && pass.isIdle?.(frame) === true;
-    recorder.beginPass(pass.name, isIdle);
-    // an idle pass hands over its resources to effects alone
-    if (isIdle && effects.length === 0) continue;
+    recorder.beginPass(pass.name, replacement === null && pass.isIdle?.(frame) === true);
     resources.use(technique, pass);
     (replacement ?? pass).render!(frame, pass);
     resources.use(technique, null);
