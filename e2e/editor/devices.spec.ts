@@ -12,7 +12,7 @@ test('on a device without float colour buffers the editor draws, and names what 
   await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');
   await page.keyboard.press('f');
-  const notices = page.getByText('draws to no float colour buffers');
+  const notices = page.getByText(/float colour buffers/);
   const close = () => page.getByRole('button', { name: 'Close message' }).click();
   await page.getByRole('tab', { name: 'Frame' }).click();
   const frame = page.getByRole('region', { name: 'Frame', exact: true });

@@ -83,7 +83,7 @@ test('the picture is the scene’s: chosen, undone, saved, opened again', async 
   // what the technique cannot do is said
   await expect(inspectorOf(page).locator('.technique-limit')).toHaveCount(0);
   await choose(page, 'Technique', 'Forward, single pass');
-  await expect(inspectorOf(page).locator('.technique-limit')).toContainText('no ambient occlusion');
+  await expect(inspectorOf(page).locator('.technique-limit')).toContainText('ambient occlusion is left out');
   await expect.poll(() => effects(page)).toEqual([]);
   await page.keyboard.press('Control+z');
   await expect.poll(() => effects(page)).toEqual(['ambient occlusion', 'SMAA']);

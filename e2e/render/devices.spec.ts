@@ -89,7 +89,7 @@ for (const [name, few] of Object.entries(LACKS) as [DeviceName, Few | null][]) {
     expect(beyond).toEqual([]);
     // three tells of what it misses; Farol of each effect once for each object
     watch.forgive(/THREE.WebGLRenderer: .* not supported/);
-    const left = watch.forgive(/Farol: [A-Za-z -]+ (is|are) left out, since (this|its)/);
+    const left = watch.forgive(/Farol: [A-Za-z -]+ (is|are) left out, since (this|its?) /);
     const wanted = !floats ? run.effectNames.length : beyondFour(name) ? 1 : 0;
     expect(left, 'effects that were left out').toBe(wanted);
   });

@@ -81,7 +81,7 @@ test('a field by textures, in several renderers and by several cameras at once, 
     return { far, freed };
   });
   expect(watch.forgive(/a WebGL context was lost|Context Lost|Context Restored/i)).toBeGreaterThan(0);
-  expect(watch.forgive(/has castShadow, but lights of a field cast no shadows/)).toBe(1);
+  expect(watch.forgive(/has castShadow, but its lights cast no shadows/)).toBe(1);
   // half floats round emissions to 11 bits; all else is the rounding of sums in another order
   for (const [name, far] of Object.entries(results.far))
     expect(far, name).toBeLessThan(name === 'textures' ? 2e-3 : 1e-4);

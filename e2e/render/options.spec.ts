@@ -78,7 +78,7 @@ test('every option is a property, of the same default and values; one that does 
   expect(seen.unknown).toMatch(/unknown option "resolutionOfEverything"; use one of: technique, [^?]*\.$/);
   expect(seen.undefinedValue).toBe('[object Object]');
   expect(seen.quality).toMatch(/unknown quality "lit"; use one of: auto, full, lite\. Is "lite" meant\?/);
-  expect(seen.budget).toMatch(/budget is { frame: NaN, .* }; frame is to be milliseconds above 0/);
+  expect(seen.budget).toMatch(/budget is { frame: NaN, .* }; give a frame above 0 ms/);
   expect(seen.value).toMatch(/inferredScale is 2; give a number above 0 and at most 1/);
 });
 

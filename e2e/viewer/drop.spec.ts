@@ -148,7 +148,11 @@ const broken: [string, Dropped, RegExp][] = [
   ['a GLB cut short', { 'cut.glb': glb().slice(0, 300) }, /cut\.glb.*cut short.*300/],
   ['a text called .glb', { 'text.glb': 'not a model' }, /text\.glb.*JSON cannot be read/],
   ['a glTF without its buffer', { 'square.gltf': JSON.stringify(square({ uri: 'b.bin' })) }, /square\.gltf.*b\.bin/],
-  ['a file of another kind', { 'notes.txt': 'hello' }, /no \.glb, \.gltf, \.obj, \.stl or \.ply was given.*notes\.txt/],
+  [
+    'a file of another kind',
+    { 'notes.txt': 'hello' },
+    /there is no \.glb, \.gltf, \.obj, \.stl or \.ply among notes\.txt: choose one/,
+  ],
   [
     'a glTF without a mesh',
     { 'empty.gltf': '{"asset":{"version":"2.0"},"scenes":[{}],"scene":0}' },
