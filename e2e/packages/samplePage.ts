@@ -137,6 +137,14 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     return firstFrame;
   },
 
+  async fogUp(fogUp: (farol: FarolRenderer, scene: Scene) => void) {
+    const { farol, scene, camera } = host();
+    fogUp(farol, scene);
+    await farol.compileAsync(scene, camera);
+    farol.render(scene, camera);
+    check(farol.effects.length === 1, 'fog is an effect');
+  },
+
   followSize(followSize: (farol: FarolRenderer, camera: Camera, parent: Element) => ResizeObserver) {
     const { farol, camera } = host();
     return new Promise((resolve) => {
@@ -184,6 +192,15 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     check(turned.object3D.rotation.y === 2, `it is turned by ${turned.object3D.rotation.y}`);
   },
 
+  async tellLights(tellLights: (farol: FarolRenderer, scene: Scene, camera: Camera) => Promise<void>) {
+    const { farol, scene, camera } = host();
+    farol.render(scene, camera);
+    const told: unknown[][] = [];
+    console.log = (...words) => told.push(words);
+    await tellLights(farol, scene, camera);
+    check(told.length > 1, 'colour and lights are told');
+  },
+
   turn(turn: (commands: CommandStack, owners: FieldTarget[]) => void) {
     const commands = new CommandStack();
     let angle = 0;
@@ -195,6 +212,18 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     };
     turn(commands, [owner]);
     check(angle === 0 && commands.redoLabel !== null, `the angle is ${angle}`);
+  },
+
+  shadowMaps(shadowMaps: (farol: FarolRenderer) => string[]) {
+    check(shadowMaps(host().farol).length === 0, 'no map is shown');
+  },
+
+  viewMenu(viewMenu: (farol: FarolRenderer) => HTMLSelectElement) {
+    const { farol } = host();
+    const menu = viewMenu(farol);
+    menu.value = 'normal';
+    menu.dispatchEvent(new Event('change'));
+    check(farol.view === 'normal', `the view is ${farol.view}`);
   },
 };
 
