@@ -82,7 +82,7 @@ export class VisibleLights {
     for (let i = 0; i < lights.length; i++) {
       const light = lights[i];
       if (read === null) {
-        if (i === fetched) fetched = fetching.fetcher?.fetchEmissions(lights, i) ?? lights.length;
+        if (i === fetched) fetched = fetching.reader?.fetchEmissions(lights, i) ?? lights.length;
         if (settings.layers?.separates(light) === true) from[i * POINT + 7] = NaN;
         else readPoint(light, from, i * POINT);
       }
