@@ -1,6 +1,7 @@
 import { Camera, Color, Group, Matrix4, Mesh, PointLight, Quaternion, Scene, SpotLight, Vector3 } from 'three';
 import { beforeAll, expect, it } from 'vitest';
 import { setLightOptions } from '../../light-options';
+import { fetching } from '../../lights/fetching';
 import { FoundLights } from '../../lights/FoundLights';
 import { POINT, readPoint } from '../../lights/plainPoints';
 import { collectLights } from '../../renderer/collectLights';
@@ -30,6 +31,8 @@ const changes: Record<string, Change> = {
   'one is turned': ([light]) => light.rotation.set(0.3, 0.2, 0.1),
   'one is turned about z': (lights) => (lights[1].rotation.z = 0.5),
   'its quaternion is replaced by numbers': (lights) => lights[1].quaternion.copy(new Quaternion(0, 0, 1, 0)),
+  'its quaternion is mirrored': ([, { quaternion }]) => quaternion.set(1, 0, 0, 0),
+  'one is scaled along x': (lights) => (lights[2].scale.x = 2),
   'one is scaled': (lights) => lights[2].scale.set(2, 3, 4),
   'one moves along z alone': (lights) => (lights[3].position.z = 9),
   'its colour is replaced': (lights) => (lights[4].color = new Color(1, 2, 3)),
@@ -47,6 +50,22 @@ const changes: Record<string, Change> = {
   'it is turned, and casts none': (lights) => {
     lights[8].castShadow = false;
     lights[8].rotation.y = 1;
+  },
+  'one casts a shadow again, and is turned about z': (lights) => {
+    lights[8].castShadow = true;
+    lights[8].rotation.set(0, 0, 1);
+  },
+  'it is turned back, and casts none': (lights) => {
+    lights[8].castShadow = false;
+    lights[8].rotation.set(0, 1, 0);
+  },
+  'it casts a shadow while it is turned about z': (lights) => {
+    lights[8].castShadow = true;
+    lights[8].rotation.set(0, 1, 0.5);
+  },
+  'it casts none, turned as before': (lights) => {
+    lights[8].castShadow = false;
+    lights[8].rotation.set(0, 1, 0);
   },
   'one gets a profile or image': (lights) => (lights[9].userData.farolMap = {}),
   'one gets a range of its own': (lights) => setLightOptions(lights[10], { ambient: [1, 1, 1] }),
@@ -94,10 +113,14 @@ it('reads lights and makes their matrices as three does, whatever the host has c
     threes.scene.updateMatrixWorld();
     collectLights(ours.scene, new Camera(), left, found, true);
     const expected = new FoundLights();
+    const { reader } = fetching;
+    fetching.reader = null;
     collectLights(threes.scene, new Camera(), left, expected);
+    fetching.reader = reader;
     const indices = ({ all }: FoundLights, { lights }: typeof ours) =>
       all.map((light) => lights.indexOf(light as PointLight));
     expect(indices(found, ours), name).toEqual(indices(expected, threes));
+    expect([found.rest.length, found.nested.length], name).toEqual([expected.rest.length, expected.nested.length]);
     const numbers = new Float64Array(POINT);
     expected.all.forEach((light, i) => {
       const isPlain = readPoint(light, numbers, 0);
