@@ -32,6 +32,7 @@ const changes: Record<string, Change> = {
   'one is turned about z': (lights) => (lights[1].rotation.z = 0.5),
   'its quaternion is replaced by numbers': (lights) => lights[1].quaternion.copy(new Quaternion(0, 0, 1, 0)),
   'its quaternion is mirrored': ([, { quaternion }]) => quaternion.set(1, 0, 0, 0),
+  'one number of a quaternion is written': ([, { quaternion }]) => void (quaternion.z = 0.9),
   'one is scaled along x': (lights) => (lights[2].scale.x = 2),
   'one is scaled': (lights) => lights[2].scale.set(2, 3, 4),
   'one moves along z alone': (lights) => (lights[3].position.z = 9),
