@@ -144,7 +144,7 @@ export class TechniquePicker {
 
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
-    if ((chooser.settled || this.asked !== 'auto') && frame.session === null && warmUpCode.isThere) {
+    if ((chooser.settled || this.asked !== 'auto' || frame.session !== null) && warmUpCode.isThere) {
       chooser.overdraw ??= new warmUpCode.required.Overdraw();
       chooser.overdraw.follow(frame);
     }
