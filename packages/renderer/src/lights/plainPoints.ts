@@ -1,8 +1,10 @@
 import type { Light, PointLight } from 'three';
-import { rangeOf } from './lightData';
 
 /** Numbers of one light in `PlainPoints`. */
 export const POINT = 8;
+
+/** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */
+const ENDLESS = 1e18;
 
 /**
  * Values of many lights, read once a frame: world position and range (m), colour × intensity, decay; POINT numbers each.
@@ -49,4 +51,9 @@ export function writePoint(
   const isFinite = Number.isFinite(x + y + z + r + g + b + intensity + decay);
   points[at + 7] = isFinite ? decay : NaN;
   return isFinite;
+}
+
+/** Range (m) of a `distance` of three's lights; 0 for a distance that is no limit. */
+export function rangeOf(distance: number): number {
+  return distance > 0 && distance < ENDLESS ? distance : 0;
 }
