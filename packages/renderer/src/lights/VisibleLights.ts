@@ -3,7 +3,7 @@ import { hasCookie, LightFacts, type MaskSettings } from './classifyLight';
 import { fetching } from './fetching';
 import { fieldCount, type LightFieldData } from './lightData';
 import { type PlainPoints, POINT, readPoint } from './plainPoints';
-import { boundLight, boundPoint, ViewSpace } from './spheres';
+import { boundLight, sphereCoverage, sphereOutsidePlanes, ViewSpace } from './spheres';
 
 const up = new Vector3();
 
@@ -67,18 +67,9 @@ export class VisibleLights {
     // layers are a mask
     const read = settings.layers === null ? points : null;
     const from = read ?? this.reserveOwn(lights.length);
-    let fetched = 0;
-    for (let i = 0; i < lights.length; i++) {
-      const light = lights[i];
-      if (read === null) {
-        if (i === fetched) fetched = fetching.reader?.fetchEmissions(lights, i) ?? lights.length;
-        if (settings.layers?.separates(light) === true) from[i * POINT + 7] = NaN;
-        else readPoint(light, from, i * POINT);
-      }
-      // NaN differs from itself
-      if (from[i * POINT + 7] === from[i * POINT + 7]) this.addPoint(light, from, i * POINT);
-      else if (facts.classify(light, settings)) this.addByClass(light);
-    }
+    if (read === null) this.readPoints(lights, from, settings);
+    for (let i = this.addPoints(lights, from, 0); i < lights.length; i = this.addPoints(lights, from, i + 1))
+      if (facts.classify(lights[i], settings)) this.addByClass(lights[i]);
     if (this.boundeds.length > this.kept) this.boundeds.length = this.kept;
     this.coverage = space.coverage;
   }
@@ -138,27 +129,68 @@ export class VisibleLights {
     ambient[9 + c] += slope * up.z;
   }
 
-  /** Adds a plain point light, unless it gives no light or reaches nothing that is seen. */
-  private addPoint(light: Light, from: PlainPoints, first: number): void {
-    const r = from[first + 4];
-    const g = from[first + 5];
-    const b = from[first + 6];
-    if (r === 0 && g === 0 && b === 0) return;
-    const range = from[first + 3];
-    const at = this.kept * 4;
-    if (range === 0) this.unboundeds.push(light);
-    else {
-      const { cones, emissions, spheres } = this;
-      spheres[at + 3] = range;
-      if (!boundPoint(from, first, this.space, spheres, cones, at)) return;
-      emissions[at] = r;
-      emissions[at + 1] = g;
-      emissions[at + 2] = b;
-      emissions[at + 3] = from[first + 7] >= 0 ? from[first + 7] : -1;
-      this.sphereCount++;
-      this.boundeds[this.kept++] = light;
+  private readPoints(lights: readonly Light[], to: PlainPoints, { layers }: MaskSettings): void {
+    let fetched = 0;
+    for (let i = 0; i < lights.length; i++) {
+      if (i === fetched) fetched = fetching.reader?.fetchEmissions(lights, i) ?? lights.length;
+      if (layers?.separates(lights[i]) === true) to[i * POINT + 7] = NaN;
+      else readPoint(lights[i], to, i * POINT);
     }
-    this.visible++;
+  }
+
+  /**
+   * Adds the plain point lights from index `i` on that give light and reach something that is seen.
+   * @returns index of the first light that is none
+   */
+  private addPoints(lights: readonly Light[], from: PlainPoints, i: number): number {
+    const { boundeds, cones, emissions, spheres, space, unboundeds } = this;
+    const { planes, projection } = space;
+    // fields read once: this loop runs for each of thousands of lights
+    const { 0: m0, 1: m1, 2: m2, 4: m4, 5: m5, 6: m6, 8: m8, 9: m9, 10: m10 } = space.view.elements;
+    const { 12: m12, 13: m13, 14: m14 } = space.view.elements;
+    let { kept, visible } = this;
+    let { coverage } = space;
+    const before = kept;
+    for (; i < lights.length; i++) {
+      const p = i * POINT;
+      const decay = from[p + 7];
+      if (Number.isNaN(decay)) break;
+      const r = from[p + 4];
+      const g = from[p + 5];
+      const b = from[p + 6];
+      if (r === 0 && g === 0 && b === 0) continue;
+      const range = from[p + 3];
+      if (range === 0) unboundeds.push(lights[i]);
+      else {
+        const wx = from[p];
+        const wy = from[p + 1];
+        const wz = from[p + 2];
+        const x = m0 * wx + m4 * wy + m8 * wz + m12;
+        const y = m1 * wx + m5 * wy + m9 * wz + m13;
+        const z = m2 * wx + m6 * wy + m10 * wz + m14;
+        if (sphereOutsidePlanes(planes, x, y, z, range)) continue;
+        const at = kept * 4;
+        spheres[at] = x;
+        spheres[at + 1] = y;
+        spheres[at + 2] = z;
+        spheres[at + 3] = range;
+        cones[at] = cones[at + 1] = 0;
+        cones[at + 2] = 1;
+        cones[at + 3] = -1;
+        emissions[at] = r;
+        emissions[at + 1] = g;
+        emissions[at + 2] = b;
+        emissions[at + 3] = decay >= 0 ? decay : -1;
+        coverage += sphereCoverage(-z, range, projection);
+        boundeds[kept++] = lights[i];
+      }
+      visible++;
+    }
+    this.sphereCount += kept - before;
+    this.kept = kept;
+    this.visible = visible;
+    space.coverage = coverage;
+    return i;
   }
 
   /** Adds a light by its `facts`, unless it reaches nothing that is seen. */

@@ -3,7 +3,6 @@ import { type Camera, type DirectionalLight, type Light, Matrix4, type SpotLight
 /** Cones wider than this are drawn and culled as spheres (rad). */
 const WIDEST_CONE = 1.05;
 
-const place = new Float64Array(3);
 const lightward = new Vector3();
 const coneSphere = new Float64Array(4);
 
@@ -41,10 +40,16 @@ export function viewFrustumPlanes(m: ArrayLike<number>, out: Float64Array): Floa
 
 /** True when a sphere lies wholly on the outer side of one of the six planes of `viewFrustumPlanes`. */
 export function sphereOutsidePlanes(planes: Float64Array, x: number, y: number, z: number, radius: number): boolean {
-  for (let i = 0; i < 24; i += 4) {
-    if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z + planes[i + 3] < -radius) return true;
-  }
-  return false;
+  // unrolled: called for each of thousands of lights
+  const p = planes;
+  return (
+    p[0] * x + p[1] * y + p[2] * z + p[3] < -radius ||
+    p[4] * x + p[5] * y + p[6] * z + p[7] < -radius ||
+    p[8] * x + p[9] * y + p[10] * z + p[11] < -radius ||
+    p[12] * x + p[13] * y + p[14] * z + p[15] < -radius ||
+    p[16] * x + p[17] * y + p[18] * z + p[19] < -radius ||
+    p[20] * x + p[21] * y + p[22] * z + p[23] < -radius
+  );
 }
 
 /**
@@ -107,25 +112,21 @@ export class ViewSpace {
 }
 
 /**
- * Bounds what a point light with a range lights. Numbers are handed over in arrays, which the engine need not box.
- * @param places - world position [x, y, z] (m) at `first`
+ * Bounds what a light with a range lights; a spot light by its cone too.
  * @param bounds - view-space sphere [x, y, z, r] (m) at `at`: the range r is there before, the rest is written
- * @param axes - gets [0, 0, 1, -1] at `at`: no cone
+ * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; [0, 0, 1, -1] for a sphere
  * @returns false for a light that reaches nothing that is seen
  */
-export function boundPoint(
-  places: Float64Array,
-  first: number,
+export function boundLight(
+  light: Light,
   space: ViewSpace,
   bounds: Float64Array,
   axes: Float64Array,
   at: number,
 ): boolean {
   const range = bounds[at + 3];
-  const wx = places[first];
-  const wy = places[first + 1];
-  const wz = places[first + 2];
   const { elements: m } = space.view;
+  const { 12: wx, 13: wy, 14: wz } = light.matrixWorld.elements;
   const x = m[0] * wx + m[4] * wy + m[8] * wz + m[12];
   const y = m[1] * wx + m[5] * wy + m[9] * wz + m[13];
   const z = m[2] * wx + m[6] * wy + m[10] * wz + m[14];
@@ -137,25 +138,6 @@ export function boundPoint(
   axes[at + 2] = 1;
   axes[at + 3] = -1;
   space.coverage += sphereCoverage(-z, range, space.projection);
-  return true;
-}
-
-/**
- * Bounds what a light with a range lights, as `boundPoint` does; a spot light by its cone too.
- * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; cosine -1 for a sphere
- */
-export function boundLight(
-  light: Light,
-  space: ViewSpace,
-  bounds: Float64Array,
-  axes: Float64Array,
-  at: number,
-): boolean {
-  const { elements } = light.matrixWorld;
-  place[0] = elements[12];
-  place[1] = elements[13];
-  place[2] = elements[14];
-  if (!boundPoint(place, 0, space, bounds, axes, at)) return false;
   if ((light as SpotLight).isSpotLight !== true || (light as SpotLight).angle >= WIDEST_CONE) return true;
   return boundCone(light as SpotLight, space, bounds, axes, at);
 }
