@@ -66,7 +66,9 @@ export class VisibleLights {
     this.clear(lights);
     // layers are a mask
     const read = settings.layers === null ? points : null;
-    const from = read ?? this.reserveOwn(lights.length);
+    if (read === null && this.ownPoints.length < lights.length * POINT)
+      this.ownPoints = new Float64Array(lights.length * 2 * POINT);
+    const from = read ?? this.ownPoints;
     let fetched = 0;
     for (let i = 0; i < lights.length; i++) {
       const light = lights[i];
@@ -93,18 +95,6 @@ export class VisibleLights {
     this.spheres = new Float64Array(lights.length * 8);
     this.cones = new Float64Array(lights.length * 8);
     this.emissions = new Float64Array(lights.length * 8);
-  }
-
-  private addMasked(light: Light): void {
-    this.masked.push(light);
-    this.hasImages ||= hasCookie(light);
-    this.hasNormalBias ||= light.castShadow && ((light as PointLight).shadow?.normalBias ?? 0) !== 0;
-  }
-
-  /** @returns `ownPoints`, with room for a number of lights */
-  private reserveOwn(count: number): PlainPoints {
-    if (this.ownPoints.length < count * POINT) this.ownPoints = new Float64Array(count * 2 * POINT);
-    return this.ownPoints;
   }
 
   private addField(light: LightFieldData): void {
@@ -181,7 +171,11 @@ export class VisibleLights {
     } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
     else if (kind === 'field') this.addField(light as LightFieldData);
     else (kind === 'directional' ? this.directionals : this.unboundeds).push(light as DirectionalLight);
-    if (isMasked) this.addMasked(light);
+    if (isMasked) {
+      this.masked.push(light);
+      this.hasImages ||= hasCookie(light);
+      this.hasNormalBias ||= light.castShadow && ((light as PointLight).shadow?.normalBias ?? 0) !== 0;
+    }
     if (kind === 'area') this.hasAreas = true;
     this.visible++;
   }

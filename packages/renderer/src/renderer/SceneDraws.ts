@@ -163,7 +163,7 @@ export class SceneDraws {
     drawPasses(frame, picker.active, set.passesOf(picker.active), effects.all, this.recorder);
     if (overdraw !== null && !set.showsOverdraw(picker.active)) overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
-    picker.warmUp(this.sceneView.chooser, frame, this);
+    picker.warmUp(this.sceneView, frame, this);
     const { buffer, passes: shown } = this.views;
     if (buffer !== null && frame.session === null)
       this.run('view', () => (this.recorder.info.view = shown!.buffers.show(frame, buffer)));
