@@ -14,7 +14,7 @@ import { warnOfNaN } from './warnOfNaN';
 const center = new Vector3();
 
 /** three's default order of opaque items: by group, render order, material, then front to back. */
-function byState(a: RenderListItem, b: RenderListItem): number {
+export function byState(a: RenderListItem, b: RenderListItem): number {
   return (
     a.groupOrder - b.groupOrder ||
     a.renderOrder - b.renderOrder ||
@@ -67,6 +67,8 @@ export class RenderQueue {
   covers = true;
   /** True if an opaque object may be so far away that its depth equals the cleared depth, see `watchFar`. */
   reachesFar = false;
+  /** Order of opaque items in place of three's, unless the host has one of its own or one must be drawn in three's. */
+  order: RenderItemSort | null = null;
   private camera!: Camera;
   /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
@@ -235,7 +237,7 @@ export class RenderQueue {
 
   /** @param reversed - whether the sorted lists are reversed, as three until 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
-    if (this.opaque.length > 1) this.opaque.sort(opaque ?? byState);
+    if (this.opaque.length > 1) this.opaque.sort(opaque ?? (this.ordered ? null : this.order) ?? byState);
     if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);
     if (this.transparent.length > 1) this.transparent.sort(transparent ?? backToFront);
     if (!reversed) return;

@@ -24,7 +24,7 @@ const device = (floatTargets: boolean) => {
   return Object.assign(found, { extensions: { has: () => found.floatTargets } });
 };
 
-const newScene = (): DrawnScene => ({ chooser: null, drawn: null });
+const newScene = (): DrawnScene => ({ chooser: null, drawn: null, overdraw: null });
 
 const passThat = (writes: Pass['writes']): Pass[] => [
   { name: 'pass', reads: [], writes, bytes: 0, render() {}, dispose() {} },
