@@ -9,8 +9,6 @@ import { LightTable } from './LightTable';
 
 /** Properties that a frame may read of a plain point light, its colour and matrix counted as one each time. */
 const MOST_READS = 8;
-/** Properties more of one of at least 64 lights, which are fetched ahead. */
-const FETCHED_READS = 6;
 /** Properties that finding a light and bringing its matrices up to date may read. */
 const FOUND_READS = 22;
 
@@ -38,7 +36,7 @@ function makeCamera(): PerspectiveCamera {
 
 it.each([
   [50, MOST_READS],
-  [64, MOST_READS + FETCHED_READS],
+  [64, MOST_READS],
 ])(
   'reads few properties of each of %i plain point lights a frame, moved or not: each may wait for memory',
   (n, most) => {

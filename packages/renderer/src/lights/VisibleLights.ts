@@ -1,6 +1,5 @@
 import { type Camera, type DirectionalLight, type HemisphereLight, type Light, type PointLight, Vector3 } from 'three';
 import { hasCookie, LightFacts, type MaskSettings } from './classifyLight';
-import { fetching } from './fetching';
 import { fieldCount, type LightFieldData } from './lightData';
 import { type PlainPoints, POINT, readPoint } from './plainPoints';
 import { boundLight, sphereCoverage, sphereOutsidePlanes, ViewSpace } from './spheres';
@@ -119,9 +118,7 @@ export class VisibleLights {
   private readPoints(lights: readonly Light[], { layers }: MaskSettings): PlainPoints {
     if (this.ownPoints.length < lights.length * POINT) this.ownPoints = new Float64Array(lights.length * 2 * POINT);
     const { ownPoints } = this;
-    let fetched = 0;
     for (let i = 0; i < lights.length; i++) {
-      if (i === fetched) fetched = fetching.reader?.fetchEmissions(lights, i) ?? lights.length;
       if (layers?.separates(lights[i]) === true) ownPoints[i * POINT + 7] = NaN;
       else readPoint(lights[i], ownPoints, i * POINT);
     }
@@ -135,9 +132,7 @@ export class VisibleLights {
   private addPoints(lights: readonly Light[], from: PlainPoints, i: number): number {
     const { boundeds, cones, emissions, spheres, space, unboundeds } = this;
     const { planes, projection } = space;
-    // fields read once: this loop runs for each of thousands of lights
-    const { 0: m0, 1: m1, 2: m2, 4: m4, 5: m5, 6: m6, 8: m8, 9: m9, 10: m10 } = space.view.elements;
-    const { 12: m12, 13: m13, 14: m14 } = space.view.elements;
+    const { elements: m } = space.view;
     let { kept, visible } = this;
     let { coverage } = space;
     const before = kept;
@@ -155,9 +150,9 @@ export class VisibleLights {
         const wx = from[p];
         const wy = from[p + 1];
         const wz = from[p + 2];
-        const x = m0 * wx + m4 * wy + m8 * wz + m12;
-        const y = m1 * wx + m5 * wy + m9 * wz + m13;
-        const z = m2 * wx + m6 * wy + m10 * wz + m14;
+        const x = m[0] * wx + m[4] * wy + m[8] * wz + m[12];
+        const y = m[1] * wx + m[5] * wy + m[9] * wz + m[13];
+        const z = m[2] * wx + m[6] * wy + m[10] * wz + m[14];
         if (sphereOutsidePlanes(planes, x, y, z, range)) continue;
         const at = kept * 4;
         spheres[at] = x;

@@ -1,4 +1,3 @@
-import type { Light } from 'three';
 import type { FoundLights, Placed } from './FoundLights';
 
 /** Reads lights by the thousand: what their values take of memory is waited for together, and read once. */
@@ -10,11 +9,6 @@ export interface LightReader {
    * @returns index of that child; `first` if it is that
    */
   readPoints(parent: Placed, first: number, mask: number, found: FoundLights): number;
-  /**
-   * Reads colours and intensities of some lights ahead of their use.
-   * @returns index after the last one; the length of the list if that is short
-   */
-  fetchEmissions(lights: readonly Light[], first: number): number;
   /** Sentence for `FarolInfo.hint` about a number of lights that are objects of their own; null for none. */
   hintFor(singles: number): string | null;
 }

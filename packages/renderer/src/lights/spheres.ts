@@ -40,16 +40,10 @@ export function viewFrustumPlanes(m: ArrayLike<number>, out: Float64Array): Floa
 
 /** True when a sphere lies wholly on the outer side of one of the six planes of `viewFrustumPlanes`. */
 export function sphereOutsidePlanes(planes: Float64Array, x: number, y: number, z: number, radius: number): boolean {
-  // unrolled: called for each of thousands of lights
-  const p = planes;
-  return (
-    p[0] * x + p[1] * y + p[2] * z + p[3] < -radius ||
-    p[4] * x + p[5] * y + p[6] * z + p[7] < -radius ||
-    p[8] * x + p[9] * y + p[10] * z + p[11] < -radius ||
-    p[12] * x + p[13] * y + p[14] * z + p[15] < -radius ||
-    p[16] * x + p[17] * y + p[18] * z + p[19] < -radius ||
-    p[20] * x + p[21] * y + p[22] * z + p[23] < -radius
-  );
+  for (let i = 0; i < 24; i += 4) {
+    if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z + planes[i + 3] < -radius) return true;
+  }
+  return false;
 }
 
 /**

@@ -70,12 +70,10 @@ function visitChildren(
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
     const isLight = (child as Light).isLight === true;
-    if (isLight && reader !== null) {
-      const next = reader.readPoints(parent, i, camera.layers.mask, found);
-      if (next > i) {
-        i = next - 1;
-        continue;
-      }
+    const next = isLight && reader ? reader.readPoints(parent, i, camera.layers.mask, found) : i;
+    if (next > i) {
+      i = next - 1;
+      continue;
     }
     if (isLight && child.children.length === 0) {
       if (matrices !== KEPT) updateLight(child as Light, unmoved ? parent : null, matrices === FORCED);

@@ -1,4 +1,4 @@
-import { type Light, Object3D, type PointLight, type SpotLight } from 'three';
+import { Object3D, type PointLight, type SpotLight } from 'three';
 import { fetching } from '../../lights/fetching';
 import { type FoundLights, POSE } from '../../lights/FoundLights';
 import { isPlainPoint, POINT, writePoint } from '../../lights/plainPoints';
@@ -18,7 +18,7 @@ const sums = new Float64Array(1);
 
 /** Lets later frames of all renderers read lights by the thousand. */
 export function readLightsInRows(): void {
-  fetching.reader = { readPoints, fetchEmissions, hintFor: (singles) => (singles < 2000 ? null : HINT) };
+  fetching.reader = { readPoints, hintFor: (singles) => (singles < 2000 ? null : HINT) };
 }
 
 function readPoints(parent: Object3D, first: number, mask: number, found: FoundLights): number {
@@ -59,11 +59,14 @@ function readPoints(parent: Object3D, first: number, mask: number, found: FoundL
 }
 
 /** Whether three makes the light's matrices of position, quaternion and scale alone. */
-function composes(light: PointLight): boolean {
-  const { pivot } = light as PointLight & { pivot?: unknown };
-  if (pivot !== undefined && pivot !== null) return false;
-  if (light.updateMatrixWorld !== updateMatrixWorld || light.updateMatrix !== updateMatrix) return false;
-  return light.matrixAutoUpdate && light.matrixWorldAutoUpdate;
+function composes(light: PointLight & { pivot?: unknown }): boolean {
+  return (
+    light.matrixAutoUpdate &&
+    light.matrixWorldAutoUpdate &&
+    light.updateMatrixWorld === updateMatrixWorld &&
+    light.updateMatrix === updateMatrix &&
+    (light.pivot ?? null) === null
+  );
 }
 
 /**
@@ -71,11 +74,17 @@ function composes(light: PointLight): boolean {
  * composes shows by element 10, beside the place in memory; a rotation about z written there does not, and nothing is lit by it.
  */
 function isTurnedAs({ quaternion, scale }: PointLight, poses: Float64Array, at: number, local: number, world: number) {
-  const known = poses[at + 7];
-  if (local !== known || world !== known) return false;
-  if (quaternion.x !== poses[at] || quaternion.y !== poses[at + 1]) return false;
-  if (quaternion.z !== poses[at + 2] || quaternion.w !== poses[at + 3]) return false;
-  return scale.x === poses[at + 4] && scale.y === poses[at + 5] && scale.z === poses[at + 6];
+  return (
+    local === poses[at + 7] &&
+    world === local &&
+    quaternion.x === poses[at] &&
+    quaternion.y === poses[at + 1] &&
+    quaternion.z === poses[at + 2] &&
+    quaternion.w === poses[at + 3] &&
+    scale.x === poses[at + 4] &&
+    scale.y === poses[at + 5] &&
+    scale.z === poses[at + 6]
+  );
 }
 
 function keepPose({ quaternion, scale, matrix }: PointLight, poses: Float64Array, at: number): void {
@@ -98,27 +107,12 @@ function fetchPlaces(objects: readonly Object3D[], first: number): number {
     const { position, quaternion, scale, matrix, matrixWorld, layers, children } = light;
     // a vector's numbers are objects of their own, a matrix's lie in three lines of the cache
     sum += position.x + position.z + quaternion.x + quaternion.w + scale.x + scale.z;
-    sum += matrix.elements[12] + matrixWorld.elements[12] + layers.mask + children.length + emissionSum(light);
+    sum += matrix.elements[12] + matrixWorld.elements[12] + layers.mask + children.length;
+    const { color, intensity, distance, decay, userData } = light;
+    sum += color.r + color.b + intensity + distance + decay + (userData.farol === undefined ? 0 : 1);
   }
   sums[0] = sum;
   return end;
-}
-
-function fetchEmissions(lights: readonly Light[], first: number): number {
-  if (lights.length < FETCHED_FROM) return lights.length;
-  const end = Math.min(lights.length, first + FETCHED);
-  let sum = 0;
-  for (let i = first; i < end; i++) {
-    const light = lights[i];
-    if (!isLocal(light)) continue;
-    sum += emissionSum(light);
-  }
-  sums[0] = sum;
-  return end;
-}
-
-function emissionSum({ color, intensity, distance, decay, userData }: PointLight): number {
-  return color.r + color.g + color.b + intensity + distance + decay + (userData.farol === undefined ? 0 : 1);
 }
 
 function isLocal(object: Object3D): object is PointLight {
