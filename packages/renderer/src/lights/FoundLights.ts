@@ -4,9 +4,6 @@ import { type PlainPoints, POINT } from './plainPoints';
 /** A light, or an object above one. */
 export type Placed = NonNullable<Light['parent']>;
 
-/** Numbers of one light in `FoundLights.poses`. */
-export const POSE = 8;
-
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export class FoundLights {
   /** All managed lights of the frame, the first `count`; the rest is left from the frame before. */
@@ -17,7 +14,7 @@ export class FoundLights {
   points: PlainPoints = new Float64Array(0);
   /**
    * Quaternion and scale of each light in `all` when its matrix was last composed, and element 10 of that matrix; the first
-   * is NaN where they are not known.
+   * is NaN where they are not known. POINT numbers each.
    */
   poses = new Float64Array(0);
   /** Index of the first child of the scene that is not read ahead yet. */
@@ -44,18 +41,17 @@ export class FoundLights {
   /** Makes room for more lights. @returns `count` */
   reserve(more: number): number {
     const { count, points, poses } = this;
-    if (points.length < (count + more) * POINT) {
-      this.points = new Float64Array((count + more) * 2 * POINT);
-      this.points.set(points);
-      this.poses = new Float64Array((count + more) * 2 * POSE).fill(NaN);
-      this.poses.set(poses);
+    const length = (count + more) * POINT;
+    if (points.length < length) {
+      (this.points = new Float64Array(length * 2)).set(points);
+      (this.poses = new Float64Array(length * 2)).set(poses);
     }
     return count;
   }
 
   /** Adds a light whose matrix was composed elsewhere. */
   add(light: Light): void {
-    this.poses[this.count * POSE] = NaN;
+    this.poses[this.count * POINT] = NaN;
     this.all[this.count++] = light;
   }
 }

@@ -130,12 +130,8 @@ export class VisibleLights {
    * @returns index of the first light that is none
    */
   private addPoints(lights: readonly Light[], from: PlainPoints, i: number): number {
-    const { boundeds, cones, emissions, spheres, space, unboundeds } = this;
-    const { planes, projection } = space;
+    const { boundeds, cones, emissions, spheres, space } = this;
     const { elements: m } = space.view;
-    let { kept, visible } = this;
-    let { coverage } = space;
-    const before = kept;
     for (; i < lights.length; i++) {
       const p = i * POINT;
       const decay = from[p + 7];
@@ -145,7 +141,7 @@ export class VisibleLights {
       const b = from[p + 6];
       if (r === 0 && g === 0 && b === 0) continue;
       const range = from[p + 3];
-      if (range === 0) unboundeds.push(lights[i]);
+      if (range === 0) this.unboundeds.push(lights[i]);
       else {
         const wx = from[p];
         const wy = from[p + 1];
@@ -153,8 +149,8 @@ export class VisibleLights {
         const x = m[0] * wx + m[4] * wy + m[8] * wz + m[12];
         const y = m[1] * wx + m[5] * wy + m[9] * wz + m[13];
         const z = m[2] * wx + m[6] * wy + m[10] * wz + m[14];
-        if (sphereOutsidePlanes(planes, x, y, z, range)) continue;
-        const at = kept * 4;
+        if (sphereOutsidePlanes(space.planes, x, y, z, range)) continue;
+        const at = this.kept * 4;
         spheres[at] = x;
         spheres[at + 1] = y;
         spheres[at + 2] = z;
@@ -166,15 +162,12 @@ export class VisibleLights {
         emissions[at + 1] = g;
         emissions[at + 2] = b;
         emissions[at + 3] = decay >= 0 ? decay : -1;
-        coverage += sphereCoverage(-z, range, projection);
-        boundeds[kept++] = lights[i];
+        space.coverage += sphereCoverage(-z, range, space.projection);
+        this.sphereCount++;
+        boundeds[this.kept++] = lights[i];
       }
-      visible++;
+      this.visible++;
     }
-    this.sphereCount += kept - before;
-    this.kept = kept;
-    this.visible = visible;
-    space.coverage = coverage;
     return i;
   }
 

@@ -1,6 +1,6 @@
 import { Object3D, type PointLight, type SpotLight } from 'three';
 import { fetching } from '../../lights/fetching';
-import { type FoundLights, POSE } from '../../lights/FoundLights';
+import type { FoundLights } from '../../lights/FoundLights';
 import { isPlainPoint, POINT, writePoint } from '../../lights/plainPoints';
 
 /** Objects whose data are fetched together; few enough for the caches of a processor's core. */
@@ -40,7 +40,7 @@ function readPoints(parent: Object3D, first: number, mask: number, found: FoundL
     if (!writePoint(light, x, y, z, points, count * POINT)) break;
     const { elements: local } = matrix;
     const { elements: world } = matrixWorld;
-    if (all[count] === light && isTurnedAs(light, poses, count * POSE, local[10], world[10])) {
+    if (all[count] === light && isTurnedAs(light, poses, count * POINT, local[10], world[10])) {
       // other elements lie in other lines of the cache, which are waited for
       local[12] = world[12] = x;
       local[13] = world[13] = y;
@@ -48,7 +48,7 @@ function readPoints(parent: Object3D, first: number, mask: number, found: FoundL
     } else {
       light.updateMatrix();
       matrixWorld.copy(matrix);
-      keepPose(light, poses, count * POSE);
+      keepPose(light, poses, count * POINT);
       all[count] = light;
     }
     if (light.matrixWorldNeedsUpdate) light.matrixWorldNeedsUpdate = false;
