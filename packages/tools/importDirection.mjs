@@ -17,7 +17,7 @@ const aroundTheCore = [
 /** Folders of the renderer's sources, each after those that it may import; its core imports types alone of the effects. */
 const rendererFolders = [
   ...['microshaders', 'lights', 'three', 'gpu', 'materials', 'surfaces', 'lighting', 'gbuffer', 'frame', 'passes'],
-  ...['light-fields', 'shadows', 'views', 'techniques', 'effects', 'renderer'],
+  ...['light-fields', 'views', 'shadows', 'techniques', 'effects', 'renderer'],
 ].map((folder) => `packages/renderer/src/${folder}`);
 
 const rendererRules = rendererFolders.map((from, i) => ({

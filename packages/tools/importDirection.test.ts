@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { importViolations } from './importDirection.mjs';
+import { importGraph } from './importCircles.mjs';
+import { importViolations, isTestCode } from './importDirection.mjs';
 import { root } from './root.mjs';
 import { sourceFiles } from './sourceFiles.mjs';
 
@@ -31,6 +32,20 @@ describe('the direction of imports', () => {
     const files = sourceFiles();
     expect(files.size).toBeGreaterThan(20);
     expect(importViolations(files, manifests)).toEqual([]);
+  });
+
+  it('leads down through nine floors of folders in the renderer', () => {
+    const home = 'packages/renderer/src/';
+    const files = new Map([...sourceFiles()].filter(([path]) => path.startsWith(home) && !isTestCode(path)));
+    const folderOf = (path: string): string => path.slice(home.length).replace(/\/?[^/]*$|\/.*/, '');
+    const below = new Map<string, Set<string>>();
+    for (const [path, targets] of importGraph(files)) {
+      const from = folderOf(path);
+      if (!below.has(from)) below.set(from, new Set());
+      for (const to of [...targets.static, ...targets.types].map(folderOf)) if (to !== from) below.get(from)!.add(to);
+    }
+    const floorOf = (folder: string): number => 1 + Math.max(0, ...[...(below.get(folder) ?? [])].map(floorOf));
+    expect(Math.max(...[...below.keys()].map(floorOf))).toBeLessThanOrEqual(9);
   });
 
   it.each([

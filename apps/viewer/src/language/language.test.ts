@@ -9,7 +9,7 @@ import { viewProblems } from '@farol/tools/viewProblems';
 import { propertyTexts, textsOf } from '@farol/tools/texts';
 import { expect, test } from 'vitest';
 import { modelParameters } from '../model/modelScene';
-import { effectEntries, effectParameters } from '../state/effectParameters';
+import { effectEntries } from '../state/effectParameters';
 import { es } from './es';
 
 const sources = [...sourceFiles()].filter(([path]) => !path.endsWith('.test.ts'));
@@ -25,7 +25,12 @@ const entries: Record<string, string[]> = Object.fromEntries([
   ...Object.entries(techniques).map(([name, { label }]) => [`technique ${name}`, [label]]),
   ...Object.entries(effectEntries).map(([name, { label, help = label, fields = {} }]) => [
     `effect ${name}`,
-    [label, help, ...Object.values(fields).flatMap((field) => [field.label, field.help])],
+    // colours have no address
+    [
+      label,
+      help,
+      ...Object.values(fields).flatMap((field) => (field.kind === 'number' ? [field.label, field.help] : [])),
+    ],
   ]),
   ...Object.entries(scenes).map(([name, { label, help, parameters }]) => [
     `scene ${name}`,
@@ -37,7 +42,6 @@ function otherTexts(): string[] {
   return [
     ...viewer.flatMap(([path, source]) => textsOf(path, source).texts),
     ...ofFields(modelParameters),
-    ...ofFields(effectParameters),
     ...views.map(capital),
     ...viewProblems(),
     ...['Automatic', 'Full', 'Lite', 'On touch screens', 'On', 'Off ## budget'],

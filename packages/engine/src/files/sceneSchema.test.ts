@@ -133,7 +133,7 @@ const pathText = (path: string): string =>
 const typeWords: Readonly<Record<string, RegExp>> = {
   object: /an object/,
   array: /a list|\[|keys/,
-  string: /text|name of|id of/,
+  string: /text|name of|id of|as "data:/,
   boolean: /true or false/,
   number: /number|angle|\[|keys/,
   integer: /whole number/,

@@ -13,6 +13,7 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
+import type { AtlasTiles } from './AtlasTiles';
 import type { View } from './views';
 import type { Fills } from './Fills';
 import type { GBuffer } from '../gbuffer/GBuffer';
@@ -63,10 +64,15 @@ export interface LateDraws {
   makeNodes(): NodeDraws | null;
 }
 
-/** Finds which lights light all, or none, of tiles of the screen. ShadowMaps alone does. */
+/** Shadow maps as passes and views use them; ShadowMaps alone is one. */
 export interface TileShadows {
-  /** @param gbuffer - of the frame, whose light grid is there too */
+  /**
+   * Finds which lights light all, or none, of tiles of the screen.
+   * @param gbuffer - of the frame, whose light grid is there too
+   */
   findTileShadows(frame: Frame, gbuffer: GBuffer): void;
+  /** Lists what lies in the atlas of images and profiles, or in that of shadow maps. */
+  listTiles(images: boolean): AtlasTiles;
 }
 
 /** A frame as passes and effects see it: scene, target, queue, lights, resources, and how to draw. One a FarolRenderer. */

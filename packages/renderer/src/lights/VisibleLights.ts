@@ -1,20 +1,11 @@
-import {
-  type Camera,
-  type DirectionalLight,
-  type HemisphereLight,
-  type Light,
-  Matrix4,
-  type PointLight,
-  Vector3,
-} from 'three';
+import { type Camera, type DirectionalLight, type HemisphereLight, type Light, type PointLight, Vector3 } from 'three';
 import { hasCookie, LightFacts, type MaskSettings } from './classifyLight';
 import { fetching } from './fetching';
 import { fieldCount, type LightFieldData } from './lightData';
 import { type PlainPoints, POINT, readPoint } from './plainPoints';
-import { boundLight, sphereCoverage, sphereOutsidePlanes, viewFrustumPlanes, type ViewSpace } from './spheres';
+import { boundLight, sphereCoverage, sphereOutsidePlanes, ViewSpace } from './spheres';
 
 const up = new Vector3();
-const position = new Vector3();
 
 /**
  * The lights of a frame by class, in view space: those that have a value which is no number, give no light, or reach
@@ -60,7 +51,7 @@ export class VisibleLights {
   /** Values of plain point lights, read by `collect` when the caller has not read them yet. */
   private ownPoints: PlainPoints = new Float64Array(0);
   private readonly facts = new LightFacts();
-  private readonly space: ViewSpace = { view: new Matrix4(), projection: [], planes: new Float64Array(24) };
+  private readonly space = new ViewSpace();
 
   /**
    * Takes the lights of a frame. World matrices must be up to date.
@@ -70,50 +61,22 @@ export class VisibleLights {
    */
   collect(lights: readonly Light[], camera: Camera, settings: MaskSettings, points: PlainPoints | null = null): void {
     const { facts, space } = this;
-    space.view = camera.matrixWorldInverse;
-    space.projection = camera.projectionMatrix.elements;
-    viewFrustumPlanes(space.projection, space.planes);
+    space.begin(camera);
     this.settings = settings;
     this.clear(lights);
     // layers are a mask
     const read = settings.layers === null ? points : null;
     const from = read ?? this.reserveOwn(lights.length);
-    let fetched = 0;
-    for (let i = 0; i < lights.length; i++) {
-      const light = lights[i];
-      if (read === null) {
-        if (i === fetched) fetched = fetching.fetcher?.fetchEmissions(lights, i) ?? lights.length;
-        if (settings.layers?.separates(light) === true) from[i * POINT + 7] = NaN;
-        else readPoint(light, from, i * POINT);
-      }
-      // NaN differs from itself
-      if (from[i * POINT + 7] === from[i * POINT + 7]) {
-        this.addPoint(light, from, i * POINT);
-        continue;
-      }
-      if (!facts.classify(light, settings)) continue;
-      const { kind } = facts;
-      if (facts.range > 0) {
-        const at = this.kept * 4;
-        if (!this.addBounded(light, facts.range)) continue;
-        if (facts.isMasked) this.addMasked(light);
-        this.writeEmission(at, light as PointLight, kind === 'point' && !facts.isMasked);
-        if (kind === 'area') this.areas++;
-      } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
-      else if (kind === 'field') this.addField(light as LightFieldData);
-      else {
-        (kind === 'directional' ? this.directionals : this.unboundeds).push(light as DirectionalLight);
-        if (facts.isMasked) this.addMasked(light);
-      }
-      if (kind === 'area') this.hasAreas = true;
-      this.visible++;
-    }
+    if (read === null) this.readPoints(lights, from, settings);
+    for (let i = this.addPoints(lights, from, 0); i < lights.length; i = this.addPoints(lights, from, i + 1))
+      if (facts.classify(lights[i], settings)) this.addByClass(lights[i]);
     if (this.boundeds.length > this.kept) this.boundeds.length = this.kept;
+    this.coverage = space.coverage;
   }
 
   private clear(lights: readonly Light[]): void {
     this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
-    this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = this.coverage = 0;
+    this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = 0;
     this.hasAreas = this.hasImages = this.hasNormalBias = false;
     this.ambient.fill(0);
     this.total = this.singles = lights.length;
@@ -166,56 +129,92 @@ export class VisibleLights {
     ambient[9 + c] += slope * up.z;
   }
 
-  /** Writes `emissions` of a light that was read by its class, as `addPoint` does for one that was not. */
-  private writeEmission(at: number, { color, intensity, decay }: PointLight, isPlain: boolean): void {
-    const { emissions } = this;
-    emissions[at] = color.r * intensity;
-    emissions[at + 1] = color.g * intensity;
-    emissions[at + 2] = color.b * intensity;
-    emissions[at + 3] = isPlain && decay >= 0 ? decay : -1;
-  }
-
-  /** Adds a plain point light, unless it gives no light or reaches nothing that is seen. */
-  private addPoint(light: Light, from: PlainPoints, first: number): void {
-    const r = from[first + 4];
-    const g = from[first + 5];
-    const b = from[first + 6];
-    if (r === 0 && g === 0 && b === 0) return;
-    const range = from[first + 3];
-    const at = this.kept * 4;
-    if (range === 0) this.unboundeds.push(light);
-    else {
-      const { cones, emissions, spheres } = this;
-      const { planes, projection, view } = this.space;
-      const { x, y, z } = position.fromArray(from, first).applyMatrix4(view);
-      if (sphereOutsidePlanes(planes, x, y, z, range)) return;
-      spheres[at] = x;
-      spheres[at + 1] = y;
-      spheres[at + 2] = z;
-      spheres[at + 3] = range;
-      cones[at] = cones[at + 1] = 0;
-      cones[at + 2] = 1;
-      cones[at + 3] = -1;
-      emissions[at] = r;
-      emissions[at + 1] = g;
-      emissions[at + 2] = b;
-      emissions[at + 3] = from[first + 7] >= 0 ? from[first + 7] : -1;
-      this.coverage += sphereCoverage(-z, range, projection);
-      this.sphereCount++;
-      this.boundeds[this.kept++] = light;
+  private readPoints(lights: readonly Light[], to: PlainPoints, { layers }: MaskSettings): void {
+    let fetched = 0;
+    for (let i = 0; i < lights.length; i++) {
+      if (i === fetched) fetched = fetching.reader?.fetchEmissions(lights, i) ?? lights.length;
+      if (layers?.separates(lights[i]) === true) to[i * POINT + 7] = NaN;
+      else readPoint(lights[i], to, i * POINT);
     }
-    this.visible++;
   }
 
-  /** @returns false for a light that reaches nothing that is seen */
-  private addBounded(light: Light, range: number): boolean {
-    const at = this.kept * 4;
-    const coverage = boundLight(light, range, this.space, this.spheres, this.cones, at);
-    if (coverage < 0) return false;
-    this.coverage += coverage;
-    if (this.cones[at + 3] > -1) this.coneCount++;
-    else this.sphereCount++;
-    this.boundeds[this.kept++] = light;
-    return true;
+  /**
+   * Adds the plain point lights from index `i` on that give light and reach something that is seen.
+   * @returns index of the first light that is none
+   */
+  private addPoints(lights: readonly Light[], from: PlainPoints, i: number): number {
+    const { boundeds, cones, emissions, spheres, space, unboundeds } = this;
+    const { planes, projection } = space;
+    // fields read once: this loop runs for each of thousands of lights
+    const { 0: m0, 1: m1, 2: m2, 4: m4, 5: m5, 6: m6, 8: m8, 9: m9, 10: m10 } = space.view.elements;
+    const { 12: m12, 13: m13, 14: m14 } = space.view.elements;
+    let { kept, visible } = this;
+    let { coverage } = space;
+    const before = kept;
+    for (; i < lights.length; i++) {
+      const p = i * POINT;
+      const decay = from[p + 7];
+      if (Number.isNaN(decay)) break;
+      const r = from[p + 4];
+      const g = from[p + 5];
+      const b = from[p + 6];
+      if (r === 0 && g === 0 && b === 0) continue;
+      const range = from[p + 3];
+      if (range === 0) unboundeds.push(lights[i]);
+      else {
+        const wx = from[p];
+        const wy = from[p + 1];
+        const wz = from[p + 2];
+        const x = m0 * wx + m4 * wy + m8 * wz + m12;
+        const y = m1 * wx + m5 * wy + m9 * wz + m13;
+        const z = m2 * wx + m6 * wy + m10 * wz + m14;
+        if (sphereOutsidePlanes(planes, x, y, z, range)) continue;
+        const at = kept * 4;
+        spheres[at] = x;
+        spheres[at + 1] = y;
+        spheres[at + 2] = z;
+        spheres[at + 3] = range;
+        cones[at] = cones[at + 1] = 0;
+        cones[at + 2] = 1;
+        cones[at + 3] = -1;
+        emissions[at] = r;
+        emissions[at + 1] = g;
+        emissions[at + 2] = b;
+        emissions[at + 3] = decay >= 0 ? decay : -1;
+        coverage += sphereCoverage(-z, range, projection);
+        boundeds[kept++] = lights[i];
+      }
+      visible++;
+    }
+    this.sphereCount += kept - before;
+    this.kept = kept;
+    this.visible = visible;
+    space.coverage = coverage;
+    return i;
+  }
+
+  /** Adds a light by its `facts`, unless it reaches nothing that is seen. */
+  private addByClass(light: Light): void {
+    const { kind, range, isMasked } = this.facts;
+    if (range > 0) {
+      const at = this.kept * 4;
+      const { cones, emissions, spheres } = this;
+      spheres[at + 3] = range;
+      if (!boundLight(light, this.space, spheres, cones, at)) return;
+      const { color, intensity, decay } = light as PointLight;
+      emissions[at] = color.r * intensity;
+      emissions[at + 1] = color.g * intensity;
+      emissions[at + 2] = color.b * intensity;
+      emissions[at + 3] = kind === 'point' && !isMasked && decay >= 0 ? decay : -1;
+      if (cones[at + 3] > -1) this.coneCount++;
+      else this.sphereCount++;
+      if (kind === 'area') this.areas++;
+      this.boundeds[this.kept++] = light;
+    } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
+    else if (kind === 'field') this.addField(light as LightFieldData);
+    else (kind === 'directional' ? this.directionals : this.unboundeds).push(light as DirectionalLight);
+    if (isMasked) this.addMasked(light);
+    if (kind === 'area') this.hasAreas = true;
+    this.visible++;
   }
 }

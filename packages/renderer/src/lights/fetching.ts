@@ -1,20 +1,23 @@
-import type { Light } from 'three';
+import type { Light, Object3D } from 'three';
+import type { FoundLights } from './FoundLights';
 
-/** A light, or an object above one. */
-type Placed = NonNullable<Light['parent']>;
-
-/** Reads properties of many lights in a row ahead of their use, so that their memory is in the cache. */
-export interface LightFetcher {
+/** Reads lights by the thousand: what their values take of memory is waited for together, and read once. */
+export interface LightReader {
   /**
-   * Reads what an update of the matrices of some lights needs.
-   * @returns index after the last object looked at; the length of the list if that is short
+   * Adds plain point lights (see `readPoint`) that are children of an object without a turn, from `first` on, to those
+   * found, and updates their matrices. Ends at the first child that is none, or that nobody sees.
+   * @param mask - layers of the camera
+   * @returns index of that child; `first` if it is that
    */
-  fetchPlaces(objects: readonly Placed[], first: number): number;
-  /** Reads colours and intensities of some lights. @returns as `fetchPlaces` */
+  readPoints(parent: Object3D, first: number, mask: number, found: FoundLights): number;
+  /**
+   * Reads colours and intensities of some lights ahead of their use.
+   * @returns index after the last one; the length of the list if that is short
+   */
   fetchEmissions(lights: readonly Light[], first: number): number;
   /** Sentence for `FarolInfo.hint` about a number of lights that are objects of their own; null for none. */
   hintFor(singles: number): string | null;
 }
 
-/** Holder of the LightFetcher: null until the code of light lists, which brings it, is fetched. */
-export const fetching: { fetcher: LightFetcher | null } = { fetcher: null };
+/** Holder of the LightReader: null until the code of light lists, which brings it, is fetched. */
+export const fetching: { reader: LightReader | null } = { reader: null };

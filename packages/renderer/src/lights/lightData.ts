@@ -1,4 +1,5 @@
 import type { Light, PointLight, RectAreaLight } from 'three';
+import { rangeOf } from './plainPoints';
 
 /** A linear RGB triple, each at least 0. */
 export type LinearRGB = readonly [number, number, number];
@@ -78,18 +79,10 @@ export interface AreaRadii {
   radiusOf(light: RectAreaLight): number;
 }
 
-/** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */
-const ENDLESS = 1e18;
-
 /** Distance from which on a light gives exactly nothing (m); 0 for a light without a range. */
 export function lightRange(light: PointLight): number {
   const attenuation = (light.userData.farol as FarolLightData | undefined)?.attenuation;
   let range = light.distance;
   if (attenuation !== undefined) range = attenuation.kind === 'near-far' ? attenuation.far : attenuation.range;
   return rangeOf(range);
-}
-
-/** Range (m) of a `distance` of three's lights; 0 for a distance that is no limit. */
-export function rangeOf(distance: number): number {
-  return distance > 0 && distance < ENDLESS ? distance : 0;
 }

@@ -1,8 +1,10 @@
 import type { Light, PointLight } from 'three';
-import { rangeOf } from './lightData';
 
 /** Numbers of one light in `PlainPoints`. */
 export const POINT = 8;
+
+/** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */
+const ENDLESS = 1e18;
 
 /**
  * Values of many lights, read once a frame: world position and range (m), colour × intensity, decay; POINT numbers each.
@@ -11,25 +13,47 @@ export const POINT = 8;
  */
 export type PlainPoints = Float64Array;
 
+/** Whether a light is a point light as three has it, which nothing masks. */
+export function isPlainPoint(light: Light): light is PointLight {
+  if ((light as PointLight).isPointLight !== true || light.castShadow) return false;
+  const { userData } = light;
+  return userData.farol === undefined && (userData.farolMap ?? userData.farolProfile ?? null) === null;
+}
+
 /**
  * Writes the numbers of a light. `points` must have room for them from `at` on.
  * @returns false for one that must be read by its class
  */
 export function readPoint(light: Light, points: PlainPoints, at: number): boolean {
   points[at + 7] = NaN;
-  if ((light as PointLight).isPointLight !== true || light.castShadow) return false;
-  const { userData } = light;
-  if (userData.farol !== undefined || (userData.farolMap ?? userData.farolProfile ?? null) !== null) return false;
-  const { color, intensity, matrixWorld, decay, distance } = light as PointLight;
-  const { elements } = matrixWorld;
-  const x = (points[at] = elements[12]);
-  const y = (points[at + 1] = elements[13]);
-  const z = (points[at + 2] = elements[14]);
-  points[at + 3] = rangeOf(distance);
+  if (!isPlainPoint(light)) return false;
+  const { elements } = light.matrixWorld;
+  return writePoint(light, elements[12], elements[13], elements[14], points, at);
+}
+
+/** Writes the numbers of a plain point light at a place (world, m). @returns as `readPoint` */
+export function writePoint(
+  light: PointLight,
+  x: number,
+  y: number,
+  z: number,
+  points: PlainPoints,
+  at: number,
+): boolean {
+  const { color, intensity, decay, distance } = light;
   const r = (points[at + 4] = color.r * intensity);
   const g = (points[at + 5] = color.g * intensity);
   const b = (points[at + 6] = color.b * intensity);
-  if (!Number.isFinite(x + y + z + r + g + b + intensity + decay)) return false;
-  points[at + 7] = decay;
-  return true;
+  points[at] = x;
+  points[at + 1] = y;
+  points[at + 2] = z;
+  points[at + 3] = rangeOf(distance);
+  const isFinite = Number.isFinite(x + y + z + r + g + b + intensity + decay);
+  points[at + 7] = isFinite ? decay : NaN;
+  return isFinite;
+}
+
+/** Range (m) of a `distance` of three's lights; 0 for a distance that is no limit. */
+export function rangeOf(distance: number): number {
+  return distance > 0 && distance < ENDLESS ? distance : 0;
 }

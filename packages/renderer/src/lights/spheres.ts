@@ -1,19 +1,18 @@
-import { type DirectionalLight, type Light, type Matrix4, type SpotLight, Vector3 } from 'three';
+import { type Camera, type DirectionalLight, type Light, Matrix4, type SpotLight, Vector3 } from 'three';
 
 /** Cones wider than this are drawn and culled as spheres (rad). */
 const WIDEST_CONE = 1.05;
 
-const position = new Vector3();
 const lightward = new Vector3();
 const coneSphere = new Float64Array(4);
 
 const origin = new Vector3();
 
-/** Puts into `axis` the unit vector from a light's target to the light, in view space. */
-export function lightAxis(light: DirectionalLight | SpotLight, view: Matrix4, axis: Vector3): void {
+/** Puts into `axis` the unit vector from a light's target to the light, in view space. @returns `axis` */
+export function lightAxis(light: DirectionalLight | SpotLight, view: Matrix4, axis: Vector3): Vector3 {
   origin.setFromMatrixPosition(light.matrixWorld);
   axis.setFromMatrixPosition(light.target.matrixWorld);
-  axis.subVectors(origin, axis).transformDirection(view);
+  return axis.subVectors(origin, axis).transformDirection(view);
 }
 
 /**
@@ -41,10 +40,16 @@ export function viewFrustumPlanes(m: ArrayLike<number>, out: Float64Array): Floa
 
 /** True when a sphere lies wholly on the outer side of one of the six planes of `viewFrustumPlanes`. */
 export function sphereOutsidePlanes(planes: Float64Array, x: number, y: number, z: number, radius: number): boolean {
-  for (let i = 0; i < 24; i += 4) {
-    if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z + planes[i + 3] < -radius) return true;
-  }
-  return false;
+  // unrolled: called for each of thousands of lights
+  const p = planes;
+  return (
+    p[0] * x + p[1] * y + p[2] * z + p[3] < -radius ||
+    p[4] * x + p[5] * y + p[6] * z + p[7] < -radius ||
+    p[8] * x + p[9] * y + p[10] * z + p[11] < -radius ||
+    p[12] * x + p[13] * y + p[14] * z + p[15] < -radius ||
+    p[16] * x + p[17] * y + p[18] * z + p[19] < -radius ||
+    p[20] * x + p[21] * y + p[22] * z + p[23] < -radius
+  );
 }
 
 /**
@@ -88,47 +93,67 @@ export function coneBoundingSphere(
   return out;
 }
 
-/** View space of a camera: matrix from the world, projection (16 elements, column-major), planes of `viewFrustumPlanes`. */
-export interface ViewSpace {
-  view: Matrix4;
-  projection: ArrayLike<number>;
-  readonly planes: Float64Array;
+/** View space of a camera, and how much of its picture is covered by what was bounded since `begin`. */
+export class ViewSpace {
+  view = new Matrix4();
+  /** 16 elements, column-major. */
+  projection: ArrayLike<number> = [];
+  /** Planes of `viewFrustumPlanes`. */
+  readonly planes = new Float64Array(24);
+  /** Sum of the shares of the picture that spheres cover: how many lie over a pixel, whatever its depth. */
+  coverage = 0;
+
+  begin(camera: Camera): void {
+    this.view = camera.matrixWorldInverse;
+    this.projection = camera.projectionMatrix.elements;
+    this.coverage = 0;
+    viewFrustumPlanes(this.projection, this.planes);
+  }
 }
 
 /**
- * Bounds what a light with a range lights.
- * @param range - (m)
- * @param bounds - gets the view-space sphere [x, y, z, r] (m) at `at`, r its range
- * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; cosine -1 for a sphere
- * @returns share of the picture that the sphere covers, 0 to 1; -1 for a light that reaches nothing that is seen
+ * Bounds what a light with a range lights; a spot light by its cone too.
+ * @param bounds - view-space sphere [x, y, z, r] (m) at `at`: the range r is there before, the rest is written
+ * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; [0, 0, 1, -1] for a sphere
+ * @returns false for a light that reaches nothing that is seen
  */
 export function boundLight(
   light: Light,
-  range: number,
-  { view, projection, planes }: ViewSpace,
+  space: ViewSpace,
   bounds: Float64Array,
   axes: Float64Array,
   at: number,
-): number {
-  const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
-  if (sphereOutsidePlanes(planes, x, y, z, range)) return -1;
-  if ((light as SpotLight).isSpotLight === true && (light as SpotLight).angle < WIDEST_CONE) {
-    const { angle } = light as SpotLight;
-    lightAxis(light as SpotLight, view, lightward);
-    coneBoundingSphere(x, y, z, -lightward.x, -lightward.y, -lightward.z, range, angle, coneSphere);
-    if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return -1;
-    axes[at] = lightward.x;
-    axes[at + 1] = lightward.y;
-    axes[at + 2] = lightward.z;
-    axes[at + 3] = Math.cos(angle);
-  } else {
-    axes[at] = axes[at + 1] = 0;
-    axes[at + 2] = 1;
-    axes[at + 3] = -1;
-  }
+): boolean {
+  const range = bounds[at + 3];
+  const { elements: m } = space.view;
+  const { 12: wx, 13: wy, 14: wz } = light.matrixWorld.elements;
+  const x = m[0] * wx + m[4] * wy + m[8] * wz + m[12];
+  const y = m[1] * wx + m[5] * wy + m[9] * wz + m[13];
+  const z = m[2] * wx + m[6] * wy + m[10] * wz + m[14];
+  if (sphereOutsidePlanes(space.planes, x, y, z, range)) return false;
   bounds[at] = x;
   bounds[at + 1] = y;
   bounds[at + 2] = z;
-  bounds[at + 3] = range;
-  return sphereCoverage(-z, range, projection);
+  axes[at] = axes[at + 1] = 0;
+  axes[at + 2] = 1;
+  axes[at + 3] = -1;
+  space.coverage += sphereCoverage(-z, range, space.projection);
+  if ((light as SpotLight).isSpotLight !== true || (light as SpotLight).angle >= WIDEST_CONE) return true;
+  return boundCone(light as SpotLight, space, bounds, axes, at);
+}
+
+/** Bounds a spot light by its cone, once its sphere is there. @returns as `boundLight` */
+function boundCone(light: SpotLight, space: ViewSpace, bounds: Float64Array, axes: Float64Array, at: number): boolean {
+  const { angle } = light;
+  const { x, y, z } = lightAxis(light, space.view, lightward);
+  coneBoundingSphere(bounds[at], bounds[at + 1], bounds[at + 2], -x, -y, -z, bounds[at + 3], angle, coneSphere);
+  if (sphereOutsidePlanes(space.planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) {
+    space.coverage -= sphereCoverage(-bounds[at + 2], bounds[at + 3], space.projection);
+    return false;
+  }
+  axes[at] = x;
+  axes[at + 1] = y;
+  axes[at + 2] = z;
+  axes[at + 3] = Math.cos(angle);
+  return true;
 }

@@ -2,7 +2,7 @@ import { type Camera, Color, type Light, Matrix4, type PointLight, Vector3 } fro
 import { LightField } from '../light-fields/LightField';
 import { classifyLight } from '../lights/classifyLight';
 import { fieldCount } from '../lights/lightData';
-import { boundLight, sphereOutsidePlanes, viewFrustumPlanes } from '../lights/spheres';
+import { boundLight, sphereOutsidePlanes, ViewSpace } from '../lights/spheres';
 import { lightRange } from '../lights/lightData';
 
 /** One light that can be drawn without the others. */
@@ -27,16 +27,13 @@ export class LightParts {
   readonly negative: LightPart[] = [];
   /** Fields with some lights of each of the host's. */
   private readonly copies = new Map<LightField, LightField>();
-  private readonly planes = new Float64Array(24);
-  private readonly space;
+  private readonly space = new ViewSpace();
   private readonly sphere = new Float64Array(4);
   private readonly cone = new Float64Array(4);
 
   /** @param lights - managed ones that the camera's layers see, ambient ones left out */
   constructor(lights: readonly Light[], camera: Camera) {
-    const projection = camera.projectionMatrix.elements;
-    viewFrustumPlanes(projection, this.planes);
-    this.space = { view: camera.matrixWorldInverse, projection, planes: this.planes };
+    this.space.begin(camera);
     for (const light of lights) {
       if ((light as LightField).isLightField) this.addField(light as LightField);
       else if (this.mayReach(light)) (takesLight(light) ? this.negative : this.all).push({ light, index: null });
@@ -67,7 +64,8 @@ export class LightParts {
     if (light.intensity === 0) return false;
     const kind = classifyLight(light);
     if (kind !== 'point' && kind !== 'extended-point' && kind !== 'spot') return true;
-    return boundLight(light, lightRange(light as PointLight), this.space, this.sphere, this.cone, 0) >= 0;
+    this.sphere[3] = lightRange(light as PointLight);
+    return boundLight(light, this.space, this.sphere, this.cone, 0);
   }
 
   private addField(field: LightField): void {
@@ -81,7 +79,8 @@ export class LightParts {
     for (let i = 0; i < fieldCount(field); i++) {
       const { x, y, z } = position.fromArray(array, i * 4).applyMatrix4(toView);
       const range = array[i * 4 + 3];
-      if (range > 0 && !sphereOutsidePlanes(this.planes, x, y, z, range)) this.all.push({ light: field, index: i });
+      if (range > 0 && !sphereOutsidePlanes(this.space.planes, x, y, z, range))
+        this.all.push({ light: field, index: i });
     }
     const count = this.all.length - first;
     if (count === 0) return;

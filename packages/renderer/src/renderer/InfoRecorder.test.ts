@@ -3,7 +3,7 @@ import { PerspectiveCamera, PointLight, type WebGLRenderer } from 'three';
 import { LightField } from '../light-fields/LightField';
 import type { Frame } from '../frame/Frame';
 import { LightTable } from '../lighting/LightTable';
-import { fetchLightsAhead } from '../techniques/light-lists/fetchLights';
+import { readLightsInRows } from '../techniques/light-lists/readLights';
 import { InfoRecorder } from './InfoRecorder';
 import type { LastFrame } from './LastFrame';
 
@@ -52,7 +52,7 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
 });
 
 it('hints at LightField from 2,000 lights on that are objects of their own, and no longer once there are fewer', () => {
-  fetchLightsAhead();
+  readLightsInRows();
   const { recorder } = makeRecorder();
   const camera = new PerspectiveCamera();
   const many = Array.from({ length: 2000 }, () => new PointLight(0xffffff, 1, 1));

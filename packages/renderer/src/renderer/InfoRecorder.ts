@@ -126,7 +126,7 @@ export class InfoRecorder {
     info.technique = active;
     info.reason = reason;
     info.quality = isLite ? 'lite' : 'full';
-    info.hint = fetching.fetcher?.hintFor(lights.singles) ?? null;
+    info.hint = fetching.reader?.hintFor(lights.singles) ?? null;
     this.sumTimes();
     info.lights.total = lights.total;
     info.lights.visible = lights.visible;

@@ -1,5 +1,6 @@
 import type { Camera, Object3D, WebGLRenderer } from 'three';
-import { collectLights, FoundLights } from './collectLights';
+import { FoundLights } from '../lights/FoundLights';
+import { collectLights } from './collectLights';
 import { areaCode, shadowCode } from './lazyCode';
 import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { threeChunks } from '../three/ThreeChunks';

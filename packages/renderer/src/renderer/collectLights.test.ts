@@ -1,7 +1,8 @@
 import { Camera, Group, LightProbe, Mesh, Object3D, PointLight, RectAreaLight, Scene, SpotLight, Sprite } from 'three';
 import { describe, expect, it } from 'vitest';
 import { POINT } from '../lights/plainPoints';
-import { collectLights, FoundLights } from './collectLights';
+import { FoundLights } from '../lights/FoundLights';
+import { collectLights } from './collectLights';
 
 const nothingLeft = { shadows: false, cookies: false, areas: false, all: false };
 

@@ -1,28 +1,8 @@
 import { type Camera, Group, type Light, Matrix4, Object3D, type Scene } from 'three';
-import { fetching } from '../lights/fetching';
 import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } from '../lights/classifyLight';
-import { type PlainPoints, POINT, readPoint } from '../lights/plainPoints';
-
-/** Lights of a frame, in arrays that keep their length so that they need not grow again. */
-export class FoundLights {
-  /** All managed lights of the frame, the first `count`; the rest is left from earlier frames. */
-  readonly all: Light[] = [];
-  /** Number of lights of this frame in `all`. */
-  count = 0;
-  /** Place, colour and range of each light in `all`, see `readPoint`; longer where earlier frames had more. */
-  points: PlainPoints = new Float64Array(0);
-  /** Managed lights that three's traversal would meet: those in `rest`, and below. */
-  readonly nested: Light[] = [];
-  /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
-  readonly rest: Object3D[] = [];
-  /** Whether `masks` counts the lights that cast a shadow, throw an image or have a profile. */
-  seeksMasks = true;
-  masks = 0;
-  /** Number of lights left to three. */
-  left = 0;
-  /** Whether a light left to three is an area light. */
-  hasArea = false;
-}
+import { fetching } from '../lights/fetching';
+import type { FoundLights } from '../lights/FoundLights';
+import { POINT, readPoint } from '../lights/plainPoints';
 
 const { updateMatrixWorld } = Object3D.prototype;
 const identity = new Matrix4();
@@ -46,10 +26,7 @@ export function collectLights(
   found: FoundLights,
   update = false,
 ): void {
-  found.count = 0;
-  found.masks = found.left = 0;
-  found.hasArea = false;
-  found.nested.length = found.rest.length = 0;
+  found.begin();
   const isScene = (root as Scene).isScene === true;
   const byChild = update && isScene && root.visible && root.updateMatrixWorld === updateMatrixWorld;
   if (update && !byChild) root.updateMatrixWorld();
@@ -87,11 +64,14 @@ function visitChildren(
 ): void {
   const { children } = parent;
   const unmoved = matrices !== KEPT && parent.matrixWorld.equals(identity);
-  let fetched = 0;
+  const reader = unmoved && !left.all ? fetching.reader : null;
   for (let i = 0; i < children.length; i++) {
+    if (reader !== null && (children[i] as Light).isLight === true) {
+      i = reader.readPoints(parent, i, camera.layers.mask, found);
+      if (i === children.length) break;
+    }
     const child = children[i];
     const isLight = (child as Light).isLight === true;
-    if (isLight && i >= fetched) fetched = fetching.fetcher?.fetchPlaces(children, i) ?? children.length;
     if (isLight && child.children.length === 0) {
       if (matrices !== KEPT) updateLight(child as Light, unmoved ? parent : null, matrices === FORCED);
       if (!child.visible || take(child as Light, camera, left, found)) continue;
@@ -144,12 +124,7 @@ function isNode({ constructor }: Object3D): boolean {
 function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
   // an array of cameras may not see what one of its cameras does
   if (!light.layers.test(camera.layers)) return true;
-  const at = found.count * POINT;
-  if (found.points.length === at) {
-    const { points } = found;
-    found.points = new Float64Array(at * 2 + 64 * POINT);
-    found.points.set(points);
-  }
+  const at = found.reserve(1) * POINT;
   // a light that is read as a plain point light has no mask
   if (!readPoint(light, found.points, at) || left.all) {
     if (found.seeksMasks && (light.castShadow || hasCookie(light) || hasProfile(light))) found.masks++;
@@ -161,6 +136,6 @@ function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLight
       return light.castShadow;
     }
   }
-  found.all[found.count++] = light;
+  found.add(light);
   return true;
 }

@@ -1,4 +1,5 @@
 import { type Camera, type Light, type Object3D, type Texture, VSMShadowMap, type WebGLRenderer } from 'three';
+import type { AtlasTiles } from '../frame/AtlasTiles';
 import type { Frame, TileShadows } from '../frame/Frame';
 import { RecentlyUsed } from '../frame/RecentlyUsed';
 import type { ShadowMaskMaterials } from '../frame/RenderQueue';
@@ -11,6 +12,7 @@ import { shadowedLights } from '../lighting/shadowedLights';
 import { hasShadowMap, isAreaLight } from '../lights/classifyLight';
 import type { PictureSize } from '../lights/PictureSize';
 import type { MicroShaderRegistry } from '../microshaders';
+import { listTiles } from './atlas/listTiles';
 import { ShadowAtlases } from './atlas/ShadowAtlases';
 import type { TextureAtlas } from './atlas/TextureAtlas';
 import { ShadowCasters } from './casters/ShadowCasters';
@@ -186,8 +188,8 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.followType();
     for (const light of lights) this.collect(light, root, camera);
 
-    // keep the maps that are still valid
-    this.noteLoss();
+    // keep the maps that are still valid; a lost context has lost all
+    if (this.atlases.isLost) this.slots.lose(false);
     this.noteChanges(root, camera);
     this.followLights(updates, camera);
 
@@ -213,6 +215,10 @@ export class ShadowMaps implements LightMasks, TileShadows {
   /** Finds the screen tiles that a light's shadow map leaves wholly lit, or wholly dark. */
   findTileShadows(frame: Frame, gbuffer: GBuffer): void {
     this.tiles.render(frame, gbuffer, this.bounds.target);
+  }
+
+  listTiles(images: boolean): AtlasTiles {
+    return listTiles(this, images);
   }
 
   /** Ends a frame: resets `needsUpdate` of shadows, by which the host asks for one draw of a map. */
@@ -258,32 +264,21 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   /** Adds a light of the frame to those with shadow map or cookie; one that is only limited to layers needs neither. */
   private collect(light: Light, root: Object3D, camera: Camera): void {
-    if (isAreaLight(light)) {
-      if (!hasShadowMap(light, shadowedLights(this.webgl))) this.masks.addLayered(light);
-      else {
-        const stand = AreaShadowLight.follow(light, this.areas?.radiusOf(light) || 0);
-        this.slots.add(stand as ShadowLight, root, camera, true, null, 1);
-      }
-      return;
-    }
-    const { isDirectionalLight } = light as Light & { isDirectionalLight?: boolean };
     const casts = hasShadowMap(light, shadowedLights(this.webgl));
-    const image = cookieOf(light);
-    const profile = isDirectionalLight === true ? null : profileOf(light);
+    const isArea = isAreaLight(light);
+    const isDirectional = 'isDirectionalLight' in light;
+    const image = isArea ? null : cookieOf(light);
+    const profile = isArea || isDirectional ? null : profileOf(light);
     if (!casts && image === null && profile === null) {
       this.masks.addLayered(light);
       return;
     }
-    const cascades = isDirectionalLight === true && !this.isVariance ? this.cascades : 1;
-    this.slots.add(light as ShadowLight, root, camera, casts, image, cascades, profile);
+    const lit = isArea ? AreaShadowLight.follow(light, this.areas?.radiusOf(light) || 0) : light;
+    const cascades = isDirectional && !this.isVariance ? this.cascades : 1;
+    this.slots.add(lit as ShadowLight, root, camera, casts, image, cascades, profile);
   }
 
   // ---- Keep: which of the maps that are there still hold ----
-
-  /** Marks all maps as lost when the context has lost the atlases. */
-  private noteLoss(): void {
-    if (this.atlases.isLost) this.slots.lose(false);
-  }
 
   /** Marks maps as stale that show a place where a caster has changed, also maps of lights that are not lit now. */
   private noteChanges(root: Object3D, camera: Camera): void {

@@ -19,7 +19,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
-import { comparesDepths } from '../atlas/comparesDepths';
+import { comparesDepths } from '../../gpu/comparesDepths';
 import type { RegionDrawer } from './RegionDrawer';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';

@@ -9,7 +9,7 @@ import {
 } from 'three';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { wordTarget } from '../../gpu/wordTarget';
-import { comparesDepths } from '../atlas/comparesDepths';
+import { comparesDepths } from '../../gpu/comparesDepths';
 import type { RegionDrawer } from '../draw/RegionDrawer';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';

@@ -9,7 +9,7 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import { rangeOf } from '../../lights/lightData';
+import { rangeOf } from '../../lights/plainPoints';
 import { sphereOutsidePlanes } from '../../lights/spheres';
 import { AtlasMap } from '../atlas/AtlasMap';
 import { AtlasPlacement } from '../atlas/AtlasPlacement';

@@ -4,12 +4,12 @@ import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
 import { addOther, addPoint, lightLoopClustered, lightTiles, tiledOutput } from './chunks';
 import { LightGridPass } from './LightGridPass';
 import { TiledOutputPass } from './TiledOutputPass';
-import { fetchLightsAhead } from './fetchLights';
+import { readLightsInRows } from './readLights';
 import { forwardTail } from '../forwardTail';
 
 export { rankByGrid } from './rankByGrid';
 
-fetchLightsAhead();
+readLightsInRows();
 addBuiltinMicroShaders({ addOther, addPoint, lightLoopClustered, lightTiles, tiledOutput });
 
 /** The passes of 'clustered-forward'. */

@@ -13,6 +13,10 @@ export function rankByDepth(lights: LightTable): void {
   for (let i = 0; i < count; i++) if (emissions[i * 4 + 3] >= 0) plains++;
   lights.plainQuads = Math.ceil(plains / QUAD);
   lights.bounded = plains === count ? count : lights.plainQuads * QUAD + count - plains;
+  if (plains === count) {
+    lights.order = byDepth;
+    return;
+  }
   const order = lights.makeOrder(lights.bounded);
   order.fill(NO_LIGHT, plains, lights.bounded);
   let a = 0;

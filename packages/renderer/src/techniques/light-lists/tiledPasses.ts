@@ -5,12 +5,12 @@ import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
 import * as tiledChunks from './tiledChunks';
 import { LightTilesPass } from './LightTilesPass';
 import { TiledOutputPass } from './TiledOutputPass';
-import { fetchLightsAhead } from './fetchLights';
+import { readLightsInRows } from './readLights';
 import { forwardTail } from '../forwardTail';
 
 export { rankByDepth } from './rankByDepth';
 
-fetchLightsAhead();
+readLightsInRows();
 addBuiltinMicroShaders(tiledChunks);
 
 /** The passes of 'tiled-forward'. */

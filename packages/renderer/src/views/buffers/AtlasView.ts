@@ -1,11 +1,10 @@
 import { type Camera, type PerspectiveCamera, type Texture, Vector4 } from 'three';
+import type { AtlasTile } from '../../frame/AtlasTiles';
 import type { Frame } from '../../frame/Frame';
+import { comparesDepths } from '../../gpu/comparesDepths';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
-import { comparesDepths } from '../../shadows/atlas/comparesDepths';
 import { isDepthReversed } from '../../three/state';
-import type { ShadowMaps } from '../../shadows/ShadowMaps';
 import type { BufferView, ShownView } from './BufferView';
-import { type AtlasTile, listTiles } from './listTiles';
 import { Panels } from './Panels';
 import { problems } from './problems';
 
@@ -45,10 +44,9 @@ export class AtlasView implements BufferView {
 
   show(frame: Frame, info: ShownView): string | null {
     const { images, panels, pass } = this;
-    const shadows = frame.tileShadows as ShadowMaps | null;
-    const atlas = shadows === null ? null : listTiles(shadows, images);
+    const atlas = frame.tileShadows?.listTiles(images);
     const texture = atlas?.texture ?? null;
-    if (atlas === null || texture === null || atlas.tiles.length === 0)
+    if (atlas === undefined || texture === null || atlas.tiles.length === 0)
       return images ? problems.imageAtlas : problems.shadowAtlas;
     const { uniforms } = pass;
     uniforms.farol_atlas.value = texture;

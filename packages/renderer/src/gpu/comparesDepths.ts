@@ -1,6 +1,6 @@
 import type { Texture, WebGLRenderer } from 'three';
-import { textureHandle } from '../../three/handles';
-import { bindTexture, unbindTexture } from '../../three/state';
+import { textureHandle } from '../three/handles';
+import { bindTexture, unbindTexture } from '../three/state';
 
 /**
  * Switches depth comparison in samplers of a depth texture on, or (`does` false) off, so that they return the depth.

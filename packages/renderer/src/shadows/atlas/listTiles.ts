@@ -1,32 +1,8 @@
-import type { Camera, Light, Texture } from 'three';
-import type { ShadowMaps } from '../../shadows/ShadowMaps';
-import type { AreaShadowLight } from '../../shadows/slots/AreaShadowLight';
-import type { LightSlots } from '../../shadows/slots/LightSlots';
-import type { ShadowSlot } from '../../shadows/slots/ShadowSlot';
-
-/** A shadow map's face, or an image, in its atlas. */
-export interface AtlasTile {
-  readonly light: Light | null;
-  readonly kind: 'face' | 'cascade' | 'map' | 'image' | 'profile';
-  /** Index of the face or cascade, from 0, and their number. */
-  readonly index: number;
-  readonly count: number;
-  /** Rectangle (texels). */
-  readonly region: Readonly<{ x: number; y: number; width: number; height: number }>;
-  /** Camera of a shadow map; null for images. */
-  readonly camera: Camera | null;
-}
-
-/** Contents of an atlas in a frame. */
-export interface AtlasTiles {
-  /** Null while nothing is drawn. */
-  readonly texture: Texture | null;
-  /** Contents: depths for a comparing sampler; moments of depths; colours. */
-  readonly holds: 'depths' | 'moments' | 'colours';
-  /** Texels a side. */
-  readonly size: number;
-  readonly tiles: readonly AtlasTile[];
-}
+import type { AtlasTile, AtlasTiles } from '../../frame/AtlasTiles';
+import type { ShadowMaps } from '../ShadowMaps';
+import type { AreaShadowLight } from '../slots/AreaShadowLight';
+import type { LightSlots } from '../slots/LightSlots';
+import type { ShadowSlot } from '../slots/ShadowSlot';
 
 /**
  * Lists what lies in an atlas in a frame.
@@ -64,9 +40,7 @@ function imagesOf({ lit }: LightSlots): AtlasTile[] {
 
 function facesOf({ light, faces, isCube }: ShadowSlot): AtlasTile[] {
   const kind = isCube ? 'face' : faces.length > 1 ? 'cascade' : 'map';
-  return faces.map((region, index) => ({
-    ...{ light: hostOf(light), kind, index, count: faces.length, region, camera: region.camera },
-  }));
+  const host = (light as Partial<AreaShadowLight>).host ?? light;
+  const count = faces.length;
+  return faces.map((region, index) => ({ light: host, kind, index, count, region, camera: region.camera }));
 }
-
-const hostOf = (light: Light): Light => (light as Partial<AreaShadowLight>).host ?? light;
