@@ -88,6 +88,15 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
   timer: bySetting((farol) => (farol.timing = true)),
   'warm-up': bySetting((farol) => (farol.technique = 'auto')),
   learning: bySetting((farol) => Object.assign(farol, { technique: 'auto', learning: true })),
+  'camera-arrays': () => {
+    const { scene, camera } = plainScene();
+    const parts = [0, WIDTH / 2].map((x) =>
+      Object.assign((camera as THREE.PerspectiveCamera).clone(), {
+        viewport: new THREE.Vector4(x, 0, WIDTH / 2, HEIGHT),
+      }),
+    );
+    return { scene, camera: new THREE.ArrayCamera(parts) };
+  },
   webxr: bySetting(({ webgl }) => (webgl.xr.enabled = true)),
 };
 

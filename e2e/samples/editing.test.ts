@@ -18,7 +18,7 @@ import {
   toRadians,
   valueText,
 } from '@farol/editing';
-import { es } from '@farol/editing/es';
+import { es, esOfApps } from '@farol/editing/es';
 import {
   allowedBy,
   choice,
@@ -81,7 +81,7 @@ test('keys', () => {
 });
 
 test('languages', () => {
-  setTexts(es, 'es');
+  setTexts({ ...es, ...esOfApps }, 'es');
   expect(textLocale()).toBe('es');
   setTexts({});
   expect(tCount(2, '{count} light', '{count} lights')).toBe('2 lights');

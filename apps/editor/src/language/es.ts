@@ -1,5 +1,5 @@
 import type { Texts } from '@farol/editing';
-import { es as editing } from '@farol/editing/es';
+import { es as editing, esOfApps } from '@farol/editing/es';
 import { actions } from './es/actions';
 import { agent } from './es/agent';
 import { animation } from './es/animation';
@@ -41,6 +41,7 @@ export const ofEngine = messageTranslator(engine);
 /** All texts of the editor in Spanish, keyed by the English ones. */
 export const es: Texts = {
   ...editing,
+  ...esOfApps,
   ...actions,
   ...agent,
   ...animation,

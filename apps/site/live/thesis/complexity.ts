@@ -88,24 +88,7 @@ controls.range({
     lights.forEach((light, i) => (light.visible = i < value));
   },
 });
-controls.range({
-  name: 'range',
-  label: say('Range (m)', 'Alcance (m)'),
-  value: 14,
-  min: 1,
-  max: 14,
-  step: 0.5,
-  change: (value) => lights.forEach((light) => (light.distance = value)),
-});
-controls.range({
-  name: 'time',
-  label: say('Places', 'Posiciones'),
-  value: 0,
-  min: 0,
-  max: 30,
-  step: 0.5,
-  change: move,
-});
+figure.lampSliders({ label: say('Range (m)', 'Alcance (m)'), value: 14, min: 1, max: 14, step: 0.5 }, lights, move);
 figure.tell(
   'Forward draws each object again for every light that reaches it. Deferred draws each object once, and all volumes of a kind in one call. Shorten the range: Farol’s multipass leaves out what no light reaches.',
   'Forward dibuja cada objeto otra vez por cada luz que lo alcanza. Deferred dibuja cada objeto una vez y todos los volúmenes de un tipo en una llamada. Acorte el alcance: la multipasada de Farol omite lo que ninguna luz alcanza.',

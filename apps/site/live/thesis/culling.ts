@@ -214,23 +214,10 @@ controls.range({
   step: 0.02,
   change: (value) => void (half = value),
 });
-controls.range({
-  name: 'range',
-  label: say('Range of the lights (m)', 'Alcance de las luces (m)'),
-  value: 0.6,
-  min: 0.3,
-  max: 3,
-  step: 0.1,
-  change: (value) => lights.forEach((light) => (light.distance = value)),
-});
-controls.range({
-  name: 'time',
-  label: say('Places', 'Posiciones'),
-  value: 0,
-  min: 0,
-  max: 30,
-  step: 0.5,
-  change: move,
-});
+figure.lampSliders(
+  { label: say('Range of the lights (m)', 'Alcance de las luces (m)'), value: 0.6, min: 0.3, max: 3, step: 0.1 },
+  lights,
+  move,
+);
 
 export { camera, farol, figure, scene, webgl };

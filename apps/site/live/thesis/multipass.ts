@@ -56,23 +56,10 @@ const set = controls.range({
   change: (value) => void (passes = value),
 });
 controls.button('next', say('Next pass', 'Pasada siguiente'), () => set(passes > LIGHTS ? 1 : passes + 1));
-controls.range({
-  name: 'range',
-  label: say('Range of the lights (m)', 'Alcance de las luces (m)'),
-  value: 5,
-  min: 1,
-  max: 9,
-  step: 0.5,
-  change: (value) => lights.forEach((one) => (one.distance = value)),
-});
-controls.range({
-  name: 'time',
-  label: say('Places', 'Posiciones'),
-  value: 0,
-  min: 0,
-  max: 30,
-  step: 0.5,
-  change: move,
-});
+figure.lampSliders(
+  { label: say('Range of the lights (m)', 'Alcance de las luces (m)'), value: 5, min: 1, max: 9, step: 0.5 },
+  lights,
+  move,
+);
 
 export { camera, drawPass, drawSum, farol, figure, LIGHTS, scene, webgl };

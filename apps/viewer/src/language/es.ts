@@ -1,136 +1,13 @@
 import type { Texts } from '@farol/editing';
-import { es as editing } from '@farol/editing/es';
+import { es as editing, esOfApps } from '@farol/editing/es';
 
 /** Spanish of texts that the editor has too, in its words. */
 const shared: Texts = {
   ...editing,
-  'Enter VR': 'Entrar en RV',
-  'Enter AR': 'Entrar en RA',
-  'The texts of this language could not be loaded: reload the page.':
-    'No se pudieron cargar los textos de este idioma: hay que recargar la página.',
-  Space: 'Espacio',
+  ...esOfApps,
   Evening: 'Atardecer',
   'A low sun that casts shadows, a sky at sunset and tone mapping, in place of even light.':
     'Un sol bajo que proyecta sombras, un cielo al atardecer y mapeo de tonos, en vez de luz uniforme.',
-  Editor: 'Editor',
-  Lab: 'Lab',
-  'Gallery of examples': 'Galería de ejemplos',
-  Help: 'Ayuda',
-  Close: 'Cerrar',
-  'Examples for your own page': 'Ejemplos para una página propia',
-  Keys: 'Teclas',
-  Address: 'Dirección',
-  Pass: 'Pasada',
-  Draws: 'Llamadas de dibujo',
-  Technique: 'Técnica',
-  None: 'Ninguno',
-  View: 'Vista',
-  Quality: 'Calidad',
-  'Frame budget': 'Presupuesto por fotograma',
-  'Anti-aliasing': 'Antialiasing',
-  Particles: 'Partículas',
-  'Measure this scene': 'Medir esta escena',
-  Language: 'Idioma',
-  Models: 'Modelos',
-  Lights: 'Luces',
-  Seed: 'Semilla',
-  'Ambient occlusion': 'Oclusión ambiental',
-  'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.':
-    'La luz indirecta llega menos a los rincones; «Automático» elige entonces una técnica con G-buffer.',
-  'Volumetric fog': 'Niebla volumétrica',
-  'Fog that all lights light, with their shadows: halos, beams and shafts.':
-    'Niebla que iluminan todas las luces, con sus sombras: halos, haces y rayos.',
-  'Fog density': 'Densidad de la niebla',
-  'Share of light that is lost on a metre, for small values.':
-    'Parte de la luz que se pierde en un metro, si es pequeña.',
-  'Fog anisotropy': 'Anisotropía de la niebla',
-  'Above 0 fog scatters light forwards, and lamps have halos; below 0 backwards.':
-    'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
-  'Fog height': 'Altura de la niebla',
-  'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
-  'Fog falloff': 'Descenso de la niebla',
-  'Rise above the height over which density falls to about a third; 0: it does not fall.':
-    'Subida sobre la altura en la que la densidad cae a un tercio aproximadamente; 0: no cae.',
-  'Fog noise': 'Ruido de la niebla',
-  'How much drifting clouds vary the density.': 'Cuánto varían la densidad las nubes a la deriva.',
-  'Fog noise size': 'Tamaño del ruido de la niebla',
-  'Size of the clouds.': 'Tamaño de las nubes.',
-  'Fog distance': 'Distancia de la niebla',
-  'Distance at which fog ends; the nearer, the finer.': 'Distancia a la que acaba la niebla; cuanto menor, más fina.',
-  'Occlusion radius': 'Radio de la oclusión',
-  'Distance within which surfaces darken a corner.': 'A qué distancia las cosas cierran un rincón.',
-  'Occlusion strength': 'Fuerza de la oclusión',
-  'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
-  'Unsorted transparency': 'Transparencia sin ordenar',
-  'Transparent layers are averaged, not sorted: they may pass through one another.':
-    'Las capas transparentes se promedian, sin ordenarlas: pueden atravesarse.',
-  Final: 'Final',
-  Albedo: 'Albedo',
-  Normal: 'Normales',
-  Depth: 'Profundidad',
-  Position: 'Posición',
-  Roughness: 'Rugosidad',
-  Metalness: 'Metalicidad',
-  Emissive: 'Emisivo',
-  Lighting: 'Iluminación',
-  'Light count': 'Número de luces',
-  Overdraw: 'Sobredibujado',
-  Grid: 'Cuadrícula',
-  Motion: 'Movimiento',
-  'Reactive mask': 'Máscara reactiva',
-  'Light buffer': 'Búfer de luz',
-  'Shadow atlas': 'Atlas de sombras',
-  'Image atlas': 'Atlas de imágenes',
-  'Fog light': 'Luz de la niebla',
-  'Fog transmittance': 'Transmitancia de la niebla',
-  Froxels: 'Fróxeles',
-  Automatic: 'Automático',
-  Full: 'Completa',
-  Lite: 'Ligera',
-  'On touch screens': 'En pantallas táctiles',
-  On: 'Activado',
-  'Off ## budget': 'Desactivado',
-  'few lights: lists cost more than they save': 'casi ninguna luz: las listas costarían más de lo que ahorran',
-  'few lights over a pixel: a G-buffer costs more than it saves':
-    'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
-  'many lights over a pixel: each surface is lit once, by the list of its cluster':
-    'muchas luces por píxel: cada superficie se ilumina una vez, con la lista de su clúster',
-  'surfaces hide one another: depth is drawn first, so that each pixel is shaded once':
-    'unas superficies tapan a otras: primero se dibuja la profundidad, y cada píxel se ilumina una sola vez',
-  'very many lights over a pixel: each surface is lit once, by the list of its tile':
-    'muchísimas luces, muchas por píxel: cada superficie se ilumina una vez, con la lista de su tile, hecha en la GPU',
-  'Forward, multipass': 'Forward, varias pasadas',
-  'Forward, single pass': 'Forward, una pasada',
-  'Deferred shading': 'Sombreado diferido',
-  'Light pre-pass': 'Light pre-pass',
-  'Inferred lighting': 'Iluminación inferida',
-  'Tiled deferred': 'Diferido por tiles',
-  'Tiled forward': 'Forward por tiles',
-  'Forward+': 'Forward+',
-  'Clustered deferred': 'Diferido por clústeres',
-  'Clustered forward': 'Forward por clústeres',
-  SMAA: 'SMAA',
-  'Multisampled edges': 'Bordes con multimuestreo',
-  TAA: 'TAA',
-  Temple: 'Templo',
-  'A temple of columns on a green plane, with moving lights.':
-    'Un templo de columnas sobre un plano verde, con luces en movimiento.',
-  Shadows: 'Sombras',
-  Sponza: 'Sponza',
-  'An atrium with two storeys of arcades, of the scale of the Sponza palace.':
-    'Un atrio con dos pisos de arcadas, a la escala del palacio de Sponza.',
-  'Nice scene': 'Escena bonita',
-  'A dragon, a sphere and a cylinder in a room with all three kinds of lights.':
-    'Un dragón, una esfera y un cilindro en una habitación con las tres clases de luces.',
-  Dragons: 'Dragones',
-  'Four dragons among coloured lights.': 'Cuatro dragones entre luces de colores.',
-  'Planes and lights': 'Planos y luces',
-  'N × N planes with M × M moving lights above them, or grids that are no squares.':
-    'N × N planos con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
-  'Meshes and lights': 'Mallas y luces',
-  'N × N meshes with M × M moving lights above them, or grids that are no squares.':
-    'N × N mallas con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
-  Mesh: 'Malla',
 };
 
 /** All texts of the viewer in Spanish, by their English ones. */
@@ -211,7 +88,6 @@ export const es: Texts = {
   '{visible} of {total} lights in view': '{visible} de {total} luces a la vista',
   '{draws} draws, {triangles} triangles': '{draws} llamadas de dibujo, {triangles} triángulos',
   '{programs} programs, {size} MiB of targets': '{programs} programas, {size} MiB de destinos',
-  Why: 'Por qué',
   'Whether slow frames are drawn smaller and enlarged.':
     'Si los fotogramas lentos se dibujan más pequeños y se amplían.',
   'Decals thrown on the scene; they need a technique with a G-buffer.':
@@ -263,4 +139,6 @@ export const es: Texts = {
   'Meshes in depth': 'Mallas en profundidad',
   'Meshes from front to back; 0: as many as N.': 'Mallas de delante a atrás; 0: tantas como N.',
   'The mesh.': 'La malla.',
+  Editor: 'Editor',
+  Why: 'Por qué',
 };

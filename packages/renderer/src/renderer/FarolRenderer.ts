@@ -315,12 +315,12 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Fetches code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
-   * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
-   * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
-   * light nothing), anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials (three draws the scene),
-   * the views of surfaces, overdraw and buffers (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (the
-   * one that drew the scene last draws, or one of these two), GPU times, frame budgets, warming programs up ('auto' changes unprepared).
+   * Fetches code that `render` else asks for when a scene or setting first needs it, for all renderers of the page: shadow maps,
+   * cookies and light layers (until they are there three draws the shadows and maps of up to four such lights itself, more go
+   * without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they light nothing),
+   * anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them),
+   * views of surfaces, overdraw and buffers (the final picture is shown), techniques but 'deferred' and 'forward-single-pass', and
+   * the rules of 'auto' (the one that drew the scene last draws, or one of these two), GPU times, frame budgets.
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */
@@ -384,7 +384,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   /** Picks the technique by the lights that the camera sees. @returns order in which the technique needs the lights */
   private readonly pickTechnique = (): LightOrder => {
     const { draws, frame, picker } = this;
-    picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);
+    picker.pick(draws.sceneView, frame, frame.lights, draws.effects);
     const technique = this.set.known[picker.active];
     const { all } = (draws.effects = draws.effectsOf(picker.active));
     for (const effect of all) effect.picked?.(frame, technique);

@@ -65,7 +65,7 @@ export class SceneDraws {
     picker.passTimer = this.recorder.passTimer;
     this.sceneView = sceneView;
     sceneView.seenBy = this.frame.seenBy;
-    this.frame.queue.nearFirst = sceneView.chooser.overdraw?.nearFirst ?? false;
+    this.frame.queue.nearFirst = sceneView.chooser?.overdraw?.nearFirst ?? false;
     this.effects = effects;
     this.frame.adapters = this.frame.session?.adapters ?? effects.adapters;
     this.frame.gbufferExtras = effects.attachments;
@@ -164,7 +164,7 @@ export class SceneDraws {
     drawPasses(frame, picker.active, set.passesOf(picker.active), effects.all, this.recorder);
     if (overdraw !== null && !set.showsOverdraw(picker.active)) overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
-    picker.warmUp(this.sceneView.chooser, frame, this);
+    picker.warmUp(this.sceneView, frame, this);
     const { buffer, passes: shown } = this.views;
     if (buffer !== null && frame.session === null)
       this.run('view', () => (this.recorder.info.view = shown!.buffers.show(frame, buffer)));

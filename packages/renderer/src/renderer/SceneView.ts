@@ -15,8 +15,10 @@ import type { RenderQueue } from '../frame/RenderQueue';
 import type { Fills } from '../frame/Fills';
 import type { ShadowMapCalls } from '../shadows/draw/ShadowMapCalls';
 import { standInOf } from '../three/standInOf';
-import { ArrayTraversal } from './ArrayTraversal';
-import { TechniqueChooser } from './TechniqueChooser';
+import type { TechniqueName } from '../techniques';
+import type { TechniqueChooser } from './warm-up/TechniqueChooser';
+import type { ArrayTraversal } from './camera-arrays/ArrayTraversal';
+import { arrayCode } from './drawCameras';
 
 /** Draws shadow maps inside three's `render`; has proxies of casters that the camera may not see. */
 export interface ShadowDraws {
@@ -33,6 +35,7 @@ export type DrawScene = (backs: boolean) => void;
 export type FarolView = Object3D & { readonly isFarolView?: true };
 
 const NOTHING = () => undefined;
+const CLEARS = ['autoClear', 'autoClearColor', 'autoClearDepth', 'autoClearStencil'] as const;
 const NEVER = [false, false, false, false];
 
 /**
@@ -41,8 +44,10 @@ const NEVER = [false, false, false, false];
  * read. `draw` is called back inside `render`, where `renderBufferDirect` works.
  */
 export class SceneView {
-  /** Picks the scene's technique for 'auto'. */
-  readonly chooser = new TechniqueChooser<WarmUp>();
+  /** Picks the scene's technique for 'auto'; null until it is asked for and its code is there. */
+  chooser: TechniqueChooser<WarmUp> | null = null;
+  /** Technique that drew the scene last, by choice or not; null before the first frame. */
+  drawn: TechniqueName | null = null;
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
   private lights: readonly Light[] = [];
@@ -63,13 +68,14 @@ export class SceneView {
   private transmits = false;
   /** Array of cameras that contains the camera, or the camera itself: an object must share its layers too. */
   seenBy!: Camera;
-  private readonly array = new ArrayTraversal();
+  /** Traversal for a camera of an array; null until there was one. */
+  private array: ArrayTraversal | null = null;
   private camera!: Camera;
   /** Whether three is kept from updating the camera's matrices, which are up to date, a second time. */
   private holdsCamera = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
-  /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
+  /** The host's values of `CLEARS` while three is kept from clearing. */
   private readonly autoClear = [true, true, true, true];
   private keeps = false;
   /** Pixels that draws must write, since three was kept from clearing the target; null if three clears. */
@@ -182,7 +188,8 @@ export class SceneView {
 
   /** Hides the lights as three's traversal begins; the scene's `onBeforeRender` has run. */
   private hide(): void {
-    this.array.begin(this.camera, this.seenBy);
+    if ('isArrayCamera' in this.seenBy) this.array ??= new arrayCode.required.ArrayTraversal();
+    this.array?.begin(this.camera, this.seenBy);
     for (const { layers } of this.lights) {
       this.masks.push(layers.mask);
       layers.mask = 0;
@@ -191,7 +198,7 @@ export class SceneView {
 
   /** Restores the layers of the lights; three's traversal ends before any callback of the host runs. */
   private restore(): void {
-    this.array.end();
+    this.array?.end();
     for (let i = 0; i < this.masks.length; i++) this.lights[i].layers.mask = this.masks[i];
     this.masks.length = 0;
   }
@@ -202,10 +209,7 @@ export class SceneView {
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
     this.uncleared = fills === 'behind' && (!queue!.covers || queue!.reachesFar) ? null : fills;
     if (this.uncleared === null) return;
-    autoClear[0] = webgl.autoClear;
-    autoClear[1] = webgl.autoClearColor;
-    autoClear[2] = webgl.autoClearDepth;
-    autoClear[3] = webgl.autoClearStencil;
+    for (let i = 0; i < 4; i++) autoClear[i] = webgl[CLEARS[i]];
     if (fills === 'behind') webgl.autoClearColor = false;
     else this.setAutoClear(NEVER);
     this.keeps = true;
@@ -217,11 +221,7 @@ export class SceneView {
   }
 
   private setAutoClear(flags: readonly boolean[]): void {
-    const { webgl } = this;
-    webgl.autoClear = flags[0];
-    webgl.autoClearColor = flags[1];
-    webgl.autoClearDepth = flags[2];
-    webgl.autoClearStencil = flags[3];
+    for (let i = 0; i < 4; i++) this.webgl[CLEARS[i]] = flags[i];
   }
 
   /** True if three is about to clear colour and depth to a colour, and draws no background. */
@@ -257,7 +257,7 @@ export class SceneView {
       if (!object.layers.test(this.seenBy.layers)) return;
       const override = this.view.overrideMaterial ?? null;
       if (camera?.reversedDepth === true) z = -z;
-      z = this.array.depthOf(object, geometry, z);
+      z = this.array?.depthOf(object, geometry, z) ?? z;
       this.queue?.push(object, geometry, material, groupOrder, z, group, override);
       if (this.transmits || !(((material as Material & { transmission?: number }).transmission ?? 0) > 0)) return;
       this.transmits = true;

@@ -7,10 +7,9 @@ import type { Pass } from '../frame/Pass';
 import type { LightTable } from '../lighting/LightTable';
 import { MicroShaderRegistry } from '../microshaders';
 import type { TechniqueName } from '../techniques';
-import { TechniqueChooser } from './TechniqueChooser';
-import { TechniquePicker } from './TechniquePicker';
+import { warmUpCode } from './lazyCode';
+import { type DrawnScene, TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
-import type { WarmUp } from './warm-up/WarmUp';
 
 // a WebGLRenderer of a device; what a picker asks of it
 const device = (floatTargets: boolean) => {
@@ -24,6 +23,8 @@ const device = (floatTargets: boolean) => {
   const found = { isWebGLRenderer: true, floatTargets, getContext: () => context };
   return Object.assign(found, { extensions: { has: () => found.floatTargets } });
 };
+
+const newScene = (): DrawnScene => ({ chooser: null, drawn: null });
 
 const passThat = (writes: Pass['writes']): Pass[] => [
   { name: 'pass', reads: [], writes, bytes: 0, render() {}, dispose() {} },
@@ -43,7 +44,7 @@ function makePicker() {
   const webgl = device(true);
   const picker = new TechniquePicker(webgl as unknown as WebGLRenderer, set);
   const draw = (
-    chooser: TechniqueChooser<WarmUp>,
+    scene: DrawnScene,
     lights: number,
     { coverage = 0, surfaces = false, skewed = false } = {},
   ): TechniqueName => {
@@ -54,33 +55,48 @@ function makePicker() {
       queue: { opaque: Array.from({ length: 20 }), hasLitTransparents: false },
     };
     const table = { bounded: lights, coverage, directional: 0, unbounded: 0 };
-    picker.pick(chooser, frame as unknown as Frame, table as LightTable, { ...NO_EFFECTS, needsSurfaces: surfaces });
+    picker.pick(scene, frame as unknown as Frame, table as LightTable, { ...NO_EFFECTS, needsSurfaces: surfaces });
     return picker.active;
   };
   return { picker, set, webgl, draw, load: () => Promise.all(lates.map((lazy) => lazy.load())) };
 }
 
+it('begins by one of two techniques until the rules of auto are there', async () => {
+  const { draw, picker } = makePicker();
+  const scene = newScene();
+  expect(warmUpCode.isThere).toBe(false);
+  expect([draw(scene, 3), draw(newScene(), 60), draw(newScene(), 3, { surfaces: true })]).toEqual([
+    'forward-single-pass',
+    'deferred',
+    'deferred',
+  ]);
+  expect(picker.reason).toBe('the code of "auto" is being fetched');
+  await warmUpCode.load();
+  draw(scene, 0);
+  expect([picker.active, picker.reason]).toEqual(['forward-single-pass', 'few lights: lists cost more than they save']);
+});
+
 it('goes on by the technique that has drawn a scene while its lights load, until the code of the one that settles is there', async () => {
   const { draw, load, picker } = makePicker();
-  const chooser = new TechniqueChooser<WarmUp>();
-  const drawn = [0, 3, 12, 17, 60, 128].map((lights) => draw(chooser, lights, { coverage: lights / 2 }));
+  const scene = newScene();
+  const drawn = [0, 3, 12, 17, 60, 128].map((lights) => draw(scene, lights, { coverage: lights / 2 }));
   expect(new Set(drawn)).toEqual(new Set(['forward-single-pass']));
   expect(picker.reason).toBe('the code of "clustered-deferred" is being fetched');
   await load();
-  expect(draw(chooser, 60, { coverage: 30 })).toBe('clustered-deferred');
+  expect(draw(scene, 60, { coverage: 30 })).toBe('clustered-deferred');
 });
 
 it('goes on by deferred shading too, when lights go', async () => {
   const { draw, load } = makePicker();
-  const chooser = new TechniqueChooser<WarmUp>();
-  expect([20, 10, 3].map((lights) => draw(chooser, lights))).toEqual(['deferred', 'deferred', 'deferred']);
+  const scene = newScene();
+  expect([20, 10, 3].map((lights) => draw(scene, lights))).toEqual(['deferred', 'deferred', 'deferred']);
   await load();
-  expect(draw(chooser, 3)).toBe('clustered-forward');
+  expect(draw(scene, 3)).toBe('clustered-forward');
 });
 
 it('begins by what suits the lights of each scene, and of each alone', () => {
   const { draw } = makePicker();
-  const [few, many] = [new TechniqueChooser<WarmUp>(), new TechniqueChooser<WarmUp>()];
+  const [few, many] = [newScene(), newScene()];
   for (let frame = 0; frame < 2; frame++)
     expect([draw(few, 3), draw(many, 60)]).toEqual(['forward-single-pass', 'deferred']);
 });
@@ -88,28 +104,28 @@ it('begins by what suits the lights of each scene, and of each alone', () => {
 it('takes another while code is fetched only where the one that has drawn cannot draw the frame', () => {
   const { draw, webgl } = makePicker();
   const begun = () => {
-    const chooser = new TechniqueChooser<WarmUp>();
-    expect(draw(chooser, 3)).toBe('forward-single-pass');
-    return chooser;
+    const scene = newScene();
+    expect(draw(scene, 3)).toBe('forward-single-pass');
+    return scene;
   };
   expect(draw(begun(), 129), 'more lights than one loop is to walk').toBe('deferred');
   expect(draw(begun(), 60, { surfaces: true }), 'an effect works on a G-buffer').toBe('deferred');
-  const chooser = new TechniqueChooser<WarmUp>();
-  expect(draw(chooser, 60)).toBe('deferred');
+  const scene = newScene();
+  expect(draw(scene, 60)).toBe('deferred');
   webgl.floatTargets = false;
-  expect(draw(chooser, 60), 'no float targets').toBe('forward-single-pass');
+  expect(draw(scene, 60), 'no float targets').toBe('forward-single-pass');
 });
 
 it('goes on by what has drawn when a technique is asked for, and by nothing that was removed', async () => {
   const { draw, load, picker, set } = makePicker();
-  const chooser = new TechniqueChooser<WarmUp>();
+  const scene = newScene();
   set.add('mine', set.known.deferred);
   picker.technique = 'mine' as TechniqueName;
-  expect(draw(chooser, 60)).toBe('mine');
+  expect(draw(scene, 60)).toBe('mine');
   picker.technique = 'inferred';
-  expect(draw(chooser, 60)).toBe('mine');
+  expect(draw(scene, 60)).toBe('mine');
   set.remove('mine');
-  expect(draw(chooser, 60)).toBe('deferred');
+  expect(draw(scene, 60)).toBe('deferred');
   await load();
-  expect(draw(chooser, 60)).toBe('inferred');
+  expect(draw(scene, 60)).toBe('inferred');
 });

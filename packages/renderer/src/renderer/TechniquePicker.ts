@@ -3,17 +3,25 @@ import { checkDevice, lacksFloatTargets } from '../gpu/checkDevice';
 import type { ActiveEffects } from '../frame/ActiveEffects';
 import type { Frame } from '../frame/Frame';
 import type { Pass } from '../frame/Pass';
+import type { TechniqueChooser } from './warm-up/TechniqueChooser';
 import { learningCode, warmUpCode } from './lazyCode';
 import type { LearningFrames } from './learning';
 import type { LightTable } from '../lighting/LightTable';
 import type { WarmUp } from './warm-up/WarmUp';
 import type { TechniqueName } from '../techniques';
-import { MOST_IN_A_LOOP, type TechniqueChooser } from './TechniqueChooser';
-import type { TechniqueSet } from './TechniqueSet';
+import { MOST_IN_A_LOOP, type TechniqueSet } from './TechniqueSet';
 import type { GpuTimer } from './timer/GpuTimer';
 
 /** Up to this many lights 'forward-single-pass' begins to draw a scene until another technique's code is loaded. */
 const FEW = 16;
+
+/** A scene that is drawn. */
+export interface DrawnScene {
+  /** Picks the scene's technique for 'auto'; null until it is asked for and its code is there. */
+  chooser: TechniqueChooser<WarmUp> | null;
+  /** Technique that drew the scene last, by choice or not; null before the first frame. */
+  drawn: TechniqueName | null;
+}
 
 /** Gives the effects of a frame, by the technique that draws it. */
 export interface EffectsByTechnique {
@@ -54,21 +62,13 @@ export class TechniquePicker {
     this.set.codeOf(name)?.ask();
   }
 
-  /**
-   * Sets `active` and `reason`. Call when the lights of the frame are collected.
-   * @param chooser - chooser of the scene that is drawn
-   */
-  pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, effects: ActiveEffects): void {
-    this.find(chooser, frame, table, effects);
-    chooser.drawn = this.active;
+  /** Sets `active` and `reason`. Call when the lights of the frame are collected. */
+  pick(scene: DrawnScene, frame: Frame, table: LightTable, effects: ActiveEffects): void {
+    this.find(scene, frame, table, effects);
+    scene.drawn = this.active;
   }
 
-  private find(
-    chooser: TechniqueChooser<WarmUp>,
-    frame: Frame,
-    table: LightTable,
-    { needsSurfaces }: ActiveEffects,
-  ): void {
+  private find(scene: DrawnScene, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
     this.active = this.asked;
     this.reason = 'asked for';
     this.isChanging = false;
@@ -80,16 +80,17 @@ export class TechniquePicker {
     const lights = table.bounded + table.directional + table.unbounded + (frame.fields?.count ?? 0);
     const floatTargets = lacksFloatTargets(this.webgl) === null;
     if (this.asked === 'auto') {
-      if (frame.session === null) this.choose(chooser, frame, table, needsSurfaces, floatTargets);
+      if (frame.session === null) this.choose(scene, frame, table, needsSurfaces, floatTargets);
       else {
         this.active = needsSurfaces && floatTargets ? 'clustered-deferred' : 'clustered-forward';
         this.reason = 'an XR session: pictures are multisampled';
       }
     }
     const { active } = this;
-    if (this.set.codeOf(active)?.ask() !== false) return;
-    const { drawn } = chooser;
-    const single = !floatTargets || (lights <= FEW && !this.set.known[active].needsFloatTargets);
+    if (active !== 'auto' && this.set.codeOf(active)?.ask() !== false) return;
+    const { drawn } = scene;
+    const deferred = active === 'auto' ? needsSurfaces : this.set.known[active].needsFloatTargets;
+    const single = !floatTargets || (lights <= FEW && !deferred);
     this.active =
       drawn !== null && this.canGoOn(drawn, lights, floatTargets, needsSurfaces)
         ? drawn
@@ -108,29 +109,12 @@ export class TechniquePicker {
     return !surfaces || set.passesOf(technique).some(writesGBuffer);
   }
 
-  /** Sets the technique that 'auto' draws by. */
-  private choose(
-    chooser: TechniqueChooser<WarmUp>,
-    frame: Frame,
-    { bounded, coverage, directional, unbounded }: LightTable,
-    surfaces: boolean,
-    floatTargets: boolean,
-  ): void {
-    const figures = {
-      bounded: bounded + (frame.fields?.count ?? 0),
-      coverage: coverage + (frame.fields?.coverage ?? 0),
-      everywhere: directional + unbounded,
-      objects: frame.queue.opaque.length,
-      transparents: frame.queue.hasLitTransparents,
-      floatTargets,
-      surfaces,
-      pixels: frame.width * frame.height,
-      multisampled: frame.hostSamples > 0,
-      overdraw: chooser.overdraw?.layers ?? 0,
-      triangles: chooser.overdraw?.triangles ?? 0,
-    };
-    const choice = chooser.choose(figures, warmUpCode.isThere);
-    if (chooser.settled) warmUpCode.ask();
+  /** Sets the technique that 'auto' draws by; leaves 'auto' until the code of its rules is there. */
+  private choose(scene: DrawnScene, frame: Frame, table: LightTable, surfaces: boolean, floatTargets: boolean): void {
+    const chooser = (scene.chooser ??= warmUpCode.use((code) => new code.TechniqueChooser<WarmUp>()));
+    if (chooser === null) return;
+    const figures = warmUpCode.required.figuresOf(frame, table, chooser, surfaces, floatTargets);
+    const choice = chooser.choose(figures, true);
     this.isChanging = chooser.isChanging;
     this.active = choice.technique;
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
@@ -143,12 +127,15 @@ export class TechniquePicker {
   }
 
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
-  warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
-    if ((chooser.settled || this.asked !== 'auto' || frame.session !== null) && warmUpCode.isThere) {
+  warmUp(scene: DrawnScene, frame: Frame, draws: EffectsByTechnique): void {
+    const isNamed = this.asked !== 'auto';
+    if ((scene.chooser?.settled === true || isNamed || frame.session !== null) && warmUpCode.isThere) {
+      const chooser = (scene.chooser ??= new warmUpCode.required.TechniqueChooser<WarmUp>());
       chooser.overdraw ??= new warmUpCode.required.Overdraw();
       chooser.overdraw.follow(frame);
     }
-    if (this.asked !== 'auto') return;
+    const { chooser } = scene;
+    if (isNamed || chooser === null) return;
     if (chooser.next === null) {
       if (this.learns) this.learning?.warmUp(chooser, draws);
       return;
@@ -159,8 +146,8 @@ export class TechniquePicker {
     const passes = this.set.passesOf(technique);
     // after a lost context the technique has other passes
     if (chooser.preparation?.passes !== passes)
-      chooser.preparation = warmUpCode.use(({ WarmUp }) => new WarmUp(frame, known[technique], technique, passes));
-    chooser.preparation?.step(draws.effectsOf(technique).all);
+      chooser.preparation = new warmUpCode.required.WarmUp(frame, known[technique], technique, passes);
+    chooser.preparation.step(draws.effectsOf(technique).all);
   }
 }
 

@@ -9,6 +9,9 @@ import type { MicroShaderRegistry } from '../microshaders';
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import type { Technique } from '../frame/Technique';
 
+/** Number of lights above which a loop over all of them takes longer than to compile another technique: it is left at once. */
+export const MOST_IN_A_LOOP = 128;
+
 /** The techniques of one renderer, and the passes of those used so far. */
 export class TechniqueSet {
   /** Techniques by name: the built-in ones, and those that were added. */

@@ -1,7 +1,10 @@
 import type { ArrayCamera, Camera, Object3D, WebGLRenderer } from 'three';
+import { Lazy } from '../frame/Lazy';
 import type { Session } from '../frame/Session';
-import { renderArray } from '../three/renderArray';
 import { afterRender, beforeRender } from './sceneCallbacks';
+
+/** Pictures by an array of cameras, each into its part of the target. */
+export const arrayCode = new Lazy('camera-arrays', () => import('./camera-arrays'), 'three draws by arrays of cameras');
 
 /**
  * Draws a scene by one camera.
@@ -25,12 +28,14 @@ export function drawCameras(
   session: Session | null,
   draw: DrawByCamera,
 ): void {
+  const isArray = (camera as ArrayCamera).isArrayCamera === true;
+  if (isArray && !arrayCode.ask()) return webgl.render(scene, camera);
   // else matrices are brought up to date while lights are looked for
   const updated = beforeRender(webgl, scene, camera);
   const update = scene.matrixWorldAutoUpdate && !updated;
-  if ((camera as ArrayCamera).isArrayCamera !== true) draw(scene, camera, update, !updated, camera, session);
+  if (!isArray) draw(scene, camera, update, !updated, camera, session);
   else {
-    renderArray(webgl, camera as ArrayCamera, (one, i) => {
+    arrayCode.required.renderArray(webgl, camera as ArrayCamera, (one, i) => {
       if (session !== null) session.eye = i;
       draw(scene, one, update, true, camera, session);
     });

@@ -1,4 +1,5 @@
 import type { LearntChoice } from './learning';
+import { arrayCode } from './drawCameras';
 import { unknownName } from './errors';
 import { lightFieldMade } from '../light-fields/lightFieldMade';
 import { Lazy } from '../frame/Lazy';
@@ -31,12 +32,8 @@ export const nodeCode = new Lazy(
   'three draws scenes that have some',
 );
 
-/** Compiles programs ahead, and waits for a picture that is as it stays. */
-export const warmUpCode = new Lazy(
-  'warm-up',
-  () => import('./warm-up'),
-  "what 'auto' picks is compiled when it is first drawn",
-);
+/** Rules of 'auto'; compiles programs ahead, and waits for a picture that is as it stays. */
+export const warmUpCode = new Lazy('warm-up', () => import('./warm-up'), "'auto' draws by one of two techniques");
 
 /** Anti-aliasing of techniques that draw one sample a pixel. */
 export const antialiasingCode = new Lazy(
@@ -61,7 +58,11 @@ export const clearLearnt = (): Promise<void> => learningCode.load().then((code) 
 export const learntChoices = (): Promise<LearntChoice[]> => learningCode.load().then((code) => code.learntChoices());
 
 /** Frames of XR sessions. */
-export const xrCode = new Lazy('webxr', () => import('./xr'), 'three draws XR sessions');
+export const xrCode = new Lazy(
+  'webxr',
+  async () => (await Promise.all([import('./xr'), arrayCode.load()]))[0],
+  'three draws XR sessions',
+);
 
 /** Every piece of late code above. */
 export const lazyCode = [
@@ -80,6 +81,7 @@ export const lazyCode = [
   budgetCode,
   warmUpCode,
   learningCode,
+  arrayCode,
   xrCode,
 ] as const;
 

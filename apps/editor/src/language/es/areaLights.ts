@@ -5,7 +5,6 @@ export const areaLights: Texts = {
   'Rectangle light': 'Luz rectangular',
   'Disc light': 'Luz de disco',
   'Tube light': 'Luz de tubo',
-  Width: 'Ancho',
   Length: 'Longitud',
   'Sized {name}': 'Cambiar el tamaño de {name}',
   rectangle: 'rectángulo',

@@ -50,7 +50,6 @@ export const arrange: Texts = {
   'Turn at random': 'Girar al azar',
   'Sizes differ by': 'Variación de tamaño',
   'On the surface below': 'Sobre la superficie de debajo',
-  Colours: 'Colores',
   'Share the brightness of one light': 'Repartir el brillo de una luz',
   '{count} lights of full brightness: share that of one if the picture gets too bright.':
     '{count} luces con todo su brillo: se puede repartir el de una si la imagen queda demasiado clara.',

@@ -78,7 +78,6 @@ export const bake: Texts = {
   'Lightmaps and probes that light the scene.': 'Mapas y sondas de luz que iluminan la escena.',
   'Lightmap size': 'Tamaño del mapa de luz',
   'Width and height of a lightmap, in texels.': 'Ancho y alto de un mapa de luz, en téxeles.',
-  Resolution: 'Resolución',
   'Texels along a metre of surface, in as many lightmaps as that takes; 0 for as many as one lightmap has room for.':
     'Téxeles por metro de superficie, en los mapas que hagan falta; 0 para los que quepan en un solo mapa.',
   'texels/m': 'téxeles/m',

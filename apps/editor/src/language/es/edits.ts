@@ -2,8 +2,6 @@ import type { Texts } from '@farol/editing';
 
 /** Spanish labels of steps of the history. */
 export const edits: Texts = {
-  Undo: 'Deshacer',
-  Redo: 'Rehacer',
   'New microshader {name}': 'Nuevo microshader {name}',
   Untitled: 'Sin título',
   'Keep {name}': 'Conservar {name}',
@@ -17,8 +15,6 @@ export const edits: Texts = {
   'Fly {name}': 'Volar {name}',
   '{name} material': 'Material de {name}',
   'Give {name} a material of its own': 'Dar a {name} un material propio',
-  'Redo: {edit}': 'Rehacer: {edit}',
-  'Undo: {edit}': 'Deshacer: {edit}',
   'Imported {file}': 'Importar {file}',
   'Lit the scene by {name}': 'Iluminar la escena con {name}',
   'Gave {asset} to {object}': 'Dar {asset} a {object}',
@@ -37,7 +33,6 @@ export const edits: Texts = {
   'Aligned {name} to the view': 'Alinear {name} con la vista',
   Pasted: 'Pegar',
   'Added {name}': 'Añadir {name}',
-  Duplicated: 'Duplicar',
   'Moved {name} to the top': 'Mover {name} a lo alto',
   'Reordered {name}': 'Reordenar {name}',
   'Moved {name} into {parent}': 'Mover {name} dentro de {parent}',

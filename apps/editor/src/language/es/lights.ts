@@ -45,10 +45,8 @@ export const lights: Texts = {
   'Solo of {name}': 'Solo de {name}',
   'Take out of group': 'Sacar del grupo',
   'Whether the light is switched on.': 'Si la luz está encendida.',
-  particles: 'partículas',
   '{column} of {name}': '{column} de {name}',
   '{count} light': '{count} luz',
-  '{count} lights': '{count} luces',
   '{name} on': '{name}: encendida',
   '{shown} of {count}': '{shown} de {count}',
 };

@@ -123,8 +123,6 @@ export const messages: Texts = {
   'Drafts are kept again.': 'Se vuelven a guardar borradores.',
   'The autosave could not be loaded: reload the page.':
     'No se pudo cargar el guardado automático: hay que recargar la página.',
-  'The texts of this language could not be loaded: reload the page.':
-    'No se pudieron cargar los textos de este idioma: hay que recargar la página.',
   '{objects} object': '{objects} objeto',
   '{objects} objects': '{objects} objetos',
   'last edit: {edit}': 'última edición: {edit}',

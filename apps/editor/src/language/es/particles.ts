@@ -8,7 +8,6 @@ export const particles: Texts = {
   'Time from one burst to the next.': 'Tiempo de una ráfaga a la siguiente.',
   'Start delay': 'Retraso inicial',
   'Time before the first particle begins.': 'Tiempo hasta que nace la primera partícula.',
-  Space: 'Espacio',
   World: 'Mundo',
   Random: 'Al azar',
   'Whether living particles stay in the world or move with the emitter.':
@@ -27,7 +26,6 @@ export const particles: Texts = {
     'Un clic añade una parada, arrastrarla la mueve, un doble clic o Supr la quita.',
   'Key {number} of {count}': 'Clave {number} de {count}',
   'Time {time}, value {value}': 'Tiempo {time}, valor {value}',
-  Time: 'Tiempo',
   time: 'tiempo',
   'Time of the key': 'Tiempo de la clave',
   'Value of the key': 'Valor de la clave',
@@ -58,7 +56,6 @@ export const particles: Texts = {
   Rainbow: 'Arcoíris',
   '{count} key': '{count} clave',
   '{count} keys': '{count} claves',
-  Particles: 'Partículas',
   Fire: 'Fuego',
   Smoke: 'Humo',
   Sparks: 'Chispas',
@@ -75,7 +72,6 @@ export const particles: Texts = {
   'Particles such as fire, smoke and sparks, which may light the scene.':
     'Partículas como fuego, humo y chispas, que pueden iluminar la escena.',
   Emission: 'Emisión',
-  Motion: 'Movimiento',
   'Over life': 'A lo largo de la vida',
   Look: 'Aspecto',
   Emitting: 'Emite',
@@ -137,7 +133,6 @@ export const particles: Texts = {
   'Colliders are': 'Los obstáculos son',
   'Shape of the objects to bounce off: planes that face their +Y, or spheres of 1 m times their scale.':
     'Lo que los objetos de abajo son para las partículas: planos que miran a su +Y, o esferas de 1 m por su escala.',
-  Planes: 'Planos',
   Spheres: 'Esferas',
   'Collider 1': 'Obstáculo 1',
   'Collider 2': 'Obstáculo 2',

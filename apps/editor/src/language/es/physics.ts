@@ -109,7 +109,6 @@ export const physics: Texts = {
   Dragging: 'Arrastrando',
   Moving: 'Moviendo',
   Look: 'Mirar',
-  Height: 'Alto',
   'Not at all': 'De ningún modo',
   'Look speed': 'Velocidad al mirar',
   'Greatest angle of the view above or below the horizon.': 'Mayor ángulo de la vista sobre el horizonte o bajo él.',

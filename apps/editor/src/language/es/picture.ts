@@ -74,35 +74,11 @@ export const picture: Texts = {
   'How far it reaches into the picture.': 'Hasta dónde entra en la imagen.',
   'How the scene is lit and drawn; "Automatic" picks the fastest.':
     'Con qué se dibuja la escena; «Automático» elige lo más rápido.',
-  Quality: 'Calidad',
-  Full: 'Completa',
-  Lite: 'Ligera',
   'Lite holds less memory for surfaces and shadows. Automatic takes it on phones and weak devices.':
     '«Ligera» ocupa menos memoria para superficies y sombras. «Automático» lo elige en teléfonos y equipos modestos.',
-  'Occlusion radius': 'Radio de la oclusión',
-  'Distance within which surfaces darken a corner.': 'A qué distancia las cosas cierran un rincón.',
-  'Occlusion strength': 'Fuerza de la oclusión',
-  'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
-  'Fog density': 'Densidad de la niebla',
-  'Share of light that is lost on a metre, for small values.':
-    'Parte de la luz que se pierde en un metro, si es pequeña.',
   'Fog scattering': 'Dispersión de la niebla',
   'Share of light that the fog scatters; the rest is absorbed.':
     'Parte de la luz que la niebla dispersa; absorbe el resto.',
-  'Fog anisotropy': 'Anisotropía de la niebla',
-  'Above 0 fog scatters light forwards, and lamps have halos; below 0 backwards.':
-    'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
-  'Fog height': 'Altura de la niebla',
-  'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
-  'Fog falloff': 'Descenso de la niebla',
-  'Rise above the height over which density falls to about a third; 0: it does not fall.':
-    'Subida sobre la altura en la que la densidad cae a un tercio aproximadamente; 0: no cae.',
-  'Fog noise': 'Ruido de la niebla',
-  'How much drifting clouds vary the density.': 'Cuánto varían la densidad las nubes a la deriva.',
-  'Fog noise size': 'Tamaño del ruido de la niebla',
-  'Size of the clouds.': 'Tamaño de las nubes.',
-  'Fog distance': 'Distancia de la niebla',
-  'Distance at which fog ends; the nearer, the finer.': 'Distancia a la que acaba la niebla; cuanto menor, más fina.',
   'Effects of plugins': 'Efectos de complementos',
   'Names of effects of plugins that are on, with commas between them.':
     'Nombres de los efectos de complementos activados, separados por comas.',
@@ -111,7 +87,6 @@ export const picture: Texts = {
   'How objects fade with distance.': 'Cómo se funden los objetos con la distancia.',
   'Volumetric fog is off: fog volumes are not drawn. Switch it on among the effects.':
     'La niebla volumétrica está apagada: los volúmenes de niebla no se ven. Actívala entre los efectos.',
-  Picture: 'Imagen',
   'How light becomes a picture.': 'Cómo la luz se convierte en imagen.',
   'Picture effects': 'Efectos de imagen',
   'What is done to the finished picture.': 'Lo que se hace a la imagen terminada.',
@@ -126,12 +101,8 @@ export const picture: Texts = {
   'Tone mapping of what this camera sees.': 'Mapeo de tonos de lo que ve esta cámara.',
   'How edges are smoothed. Automatic is multisampled where the technique can be, else SMAA; TAA gathers frames.':
     'Cómo se suavizan los bordes. Automático usa multimuestreo donde la técnica lo permite y, si no, SMAA; TAA acumula fotogramas.',
-  'Frame budget': 'Presupuesto por fotograma',
   'Whether the scene is drawn smaller, and enlarged, where its frames would take longer than 16.7 ms.':
     'Si la escena se dibuja más pequeña, y se amplía, cuando sus fotogramas tardarían más de 16.7 ms.',
-  'On touch screens': 'En pantallas táctiles',
-  On: 'Activado',
-  'Off ## budget': 'Desactivado',
   'the time of a frame is not known yet': 'aún no se sabe cuánto tarda un fotograma',
   'frames take the time of the budget at this scale': 'a esta escala los fotogramas cumplen el presupuesto',
   'frames took longer than the budget': 'los fotogramas tardaban más de lo previsto',
@@ -159,9 +130,6 @@ export const picture: Texts = {
   Studio: 'Estudio',
   Exponential: 'Exponencial',
   'Of the technique': 'De la técnica',
-  SMAA: 'SMAA',
-  'Multisampled edges': 'Bordes con multimuestreo',
-  TAA: 'TAA',
   'Set technique to {name}': 'Elegir la técnica {name}',
   'Picture effects: bloom, depth of field, grading, vignette':
     'Efectos de imagen: resplandor, profundidad de campo, gradación, viñeta',
@@ -200,7 +168,6 @@ export const picture: Texts = {
   Turns: 'Vueltas',
   From: 'Desde',
   To: 'Hasta',
-  'Frames a second': 'Fotogramas por segundo',
   'Other…': 'Otra…',
   'Other rate': 'Otra frecuencia',
   Format: 'Formato',

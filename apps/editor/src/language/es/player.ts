@@ -15,8 +15,6 @@ export const player: Texts = {
   'The connection was lost; trying again…': 'Se perdió la conexión, y se intenta de nuevo.',
   'Waiting for the editor…': 'Esperando al editor…',
   Jump: 'Saltar',
-  'Enter VR': 'Entrar en RV',
-  'Enter AR': 'Entrar en RA',
   'Run them': 'Ejecutarlos',
   'Click for sound': 'Un clic para oír el sonido',
   'Load from these hosts': 'Cargar de estos servidores',

@@ -15,9 +15,6 @@ export const profiles: Texts = {
     'Intensidad máxima {candelas} cd, flujo luminoso {lumens} lm',
   'Phong: normals are interpolated. Gouraud: light is evaluated at the vertices. Flat: one normal for each triangle.':
     'Phong: las normales se interpolan. Gouraud: la luz se evalúa en los vértices. Plano: una normal por triángulo.',
-  Phong: 'Phong',
-  Gouraud: 'Gouraud',
-  Flat: 'Plano',
   'Shading models': 'Modelos de sombreado',
   'Flat, Gouraud and Phong side by side. Move the lamp, and choose another in the field “Shading” of a ball.':
     'Plano, Gouraud y Phong, uno junto a otro. Al mover la lámpara se ven las diferencias; el campo «Sombreado» de cada bola elige otro.',

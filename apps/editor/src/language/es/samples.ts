@@ -5,7 +5,6 @@ export const samples: Texts = {
   'Fire and sparks': 'Fuego y chispas',
   'Every spark is a light. Select “Sparks” and watch; change its rate, its curves, and what it lights.':
     'Cada chispa es una luz. Selecciona «Sparks» y mira; cambia su tasa, sus curvas y lo que ilumina.',
-  Shadows: 'Sombras',
   'How the shadows of all lights are drawn.': 'Cómo se dibujan las sombras de todas las luces.',
   'How shadows are drawn. Variance blurs them widely, but not those of point lights, and light may leak through.':
     'Cómo se dibujan las sombras. La varianza las difumina mucho, pero no las de luces puntuales, y puede filtrarse luz.',
@@ -31,17 +30,6 @@ export const samples: Texts = {
     'Una calle de farolas y bancos. Cambia una farola y luego «Aplicar todo al prefab».',
   'Light in bands and rings. Edit “lightAttenuation” in the Microshaders panel.':
     'Luz en bandas y anillos. Edita «lightAttenuation» en el panel Microshaders.',
-  'A temple of columns on a green plane, with moving lights.':
-    'Un templo de columnas sobre un plano verde, con luces en movimiento.',
-  'An atrium with two storeys of arcades, of the scale of the Sponza palace.':
-    'Un atrio con dos pisos de arcadas, a la escala del palacio de Sponza.',
-  'A dragon, a sphere and a cylinder in a room with all three kinds of lights.':
-    'Un dragón, una esfera y un cilindro en una habitación con las tres clases de luces.',
-  'Four dragons among coloured lights.': 'Cuatro dragones entre luces de colores.',
-  'N × N planes with M × M moving lights above them, or grids that are no squares.':
-    'N × N planos con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
-  'N × N meshes with M × M moving lights above them, or grids that are no squares.':
-    'N × N mallas con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
   'The sample {file} could not be read: the server answered {status}.':
     'No se pudo leer el ejemplo {file}: el servidor respondió {status}.',
   Cascades: 'Cascadas',

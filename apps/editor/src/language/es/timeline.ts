@@ -45,7 +45,6 @@ export const timeline: Texts = {
   'New clip': 'Nuevo clip',
   '{name} clip': 'Clip de {name}',
   'Let {name} play {clip}': 'Que {name} reproduzca {clip}',
-  'Frames a second': 'Fotogramas por segundo',
   'Selected event': 'Evento seleccionado',
   'Selected keys': 'Claves seleccionadas',
   Method: 'Método',

@@ -71,7 +71,6 @@ export const triggers: Texts = {
   Text: 'Texto',
   Vector: 'Vector',
   'The event': 'El suceso',
-  Value: 'Valor',
   'The number that is passed.': 'El número que se pasa.',
   'The value that is passed.': 'El valor que se pasa.',
   'The text that is passed.': 'El texto que se pasa.',

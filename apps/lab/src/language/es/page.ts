@@ -2,9 +2,6 @@ import type { Texts } from '@farol/editing';
 
 /** Spanish texts of the page: device, builder, progress, words of cases and competitors. */
 export const page: Texts = {
-  Editor: 'Editor',
-  Viewer: 'Visor',
-  'Gallery of examples': 'Galería de ejemplos',
   'Other pages of Farol': 'Otras páginas de Farol',
   Graphics: 'Gráficos',
   Browser: 'Navegador',
@@ -140,7 +137,6 @@ export const page: Texts = {
   'by {time}': 'por {time}',
   '{scene} over {axis}': '{scene} según {axis}',
   'reach {range} m': 'alcance {range} m',
-  '{count} lights': '{count} luces',
   'as many lights as planes': 'tantas luces como planos',
   'Farol: lite': 'Farol: ligera',
   'Automatic, with the quality ‘lite’.': 'Automático, con la calidad «ligera».',
@@ -208,7 +204,6 @@ export const page: Texts = {
   'a LightField': 'un LightField',
   'Point lights as data of one object; all of them move, so all are sent in each frame.':
     'Luces puntuales como datos de un objeto; todas se mueven, así que todas se envían en cada fotograma.',
-  particles: 'partículas',
   'Each particle that the GPU moves is a light. The particles are drawn too.':
     'Cada partícula que mueve la GPU es una luz. Las partículas también se dibujan.',
   'As they are': 'Como son',
@@ -268,7 +263,6 @@ export const page: Texts = {
   'Ties within the spread: {names}': 'Empatan dentro de la dispersión: {names}',
   'Next: {name}, {time}': 'Después: {name}, {time}',
   'ties with {names}': 'empata con {names}',
-  'GPU times': 'Tiempos de GPU',
   'Farol’s techniques': 'Técnicas de Farol',
   'Other engines': 'Otros motores',
   System: 'Sistema',
@@ -282,7 +276,6 @@ export const page: Texts = {
   'Sponza (here: atrium)': 'Sponza (aquí: atrio)',
   Dark: 'Oscuro',
   light: 'luz',
-  object: 'objeto',
   pixel: 'píxel',
   layer: 'capa',
   'shadowed light': 'luz con sombra',
@@ -329,4 +322,6 @@ export const page: Texts = {
     '{gpu}, desde {lights} luces, {coverage} por píxel, {pixels} píxeles',
   '{a} and {b} are as fast': '{a} y {b} son igual de rápidas',
   '{a} is faster than {b}': '{a} es más rápida que {b}',
+  Editor: 'Editor',
+  'GPU times': 'Tiempos de GPU',
 };

@@ -76,7 +76,6 @@ export const results: Texts = {
   Regret: 'Pérdida',
   'Longer than the best technique': 'Más que la mejor técnica',
   'auto chose {name}': 'auto eligió {name}',
-  Why: 'Por qué',
   'Best: {name}, {time}': 'Mejor: {name}, {time}',
   'Regret {share}, within the spread': 'Pérdida {share}, dentro de la dispersión',
   'Regret {share}': 'Pérdida {share}',
@@ -166,4 +165,5 @@ export const results: Texts = {
   'Its frames a second': 'Sus fotogramas por segundo',
   'could not be counted': 'no se pudo contar',
   '{low} to {high} FPS': '{low} a {high} FPS',
+  Why: 'Por qué',
 };

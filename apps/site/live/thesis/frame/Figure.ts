@@ -1,8 +1,17 @@
 import './frame.css';
 import { FarolRenderer, type FarolOptions } from '@farol/renderer';
-import { Color, PerspectiveCamera, Scene, Spherical, type Vector3Tuple, Vector3, WebGLRenderer } from 'three';
+import {
+  Color,
+  PerspectiveCamera,
+  type PointLight,
+  Scene,
+  Spherical,
+  type Vector3Tuple,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { Controls } from './Controls';
+import { Controls, type RangeEntry } from './Controls';
 
 export interface FigureOptions {
   /** Place of the camera and the point that it looks at (m). */
@@ -111,6 +120,22 @@ export class Figure {
   tell(english: string, spanish: string): void {
     const text = this.say(english, spanish);
     if (this.caption.textContent !== text) this.caption.textContent = text;
+  }
+
+  /**
+   * Adds the sliders of some lamps.
+   * @param range - slider of their ranges (m)
+   * @param move - moves them to their places at a time (s)
+   */
+  lampSliders(
+    range: Omit<RangeEntry, 'name' | 'change'>,
+    lights: readonly PointLight[],
+    move: (seconds: number) => void,
+  ): void {
+    const change = (value: number): void => lights.forEach((light) => (light.distance = value));
+    this.controls.range({ ...range, name: 'range', change });
+    const label = this.say('Places', 'Posiciones');
+    this.controls.range({ name: 'time', label, value: 0, min: 0, max: 30, step: 0.5, change: move });
   }
 
   /** Writes labels over the picture, in place of those before. */

@@ -1,6 +1,6 @@
 import type { Camera } from 'three';
 import type { Frame } from '../../frame/Frame';
-import type { ChosenTechnique, SceneFigures, TechniqueChooser } from '../TechniqueChooser';
+import type { ChosenTechnique, SceneFigures, TechniqueChooser } from '../warm-up/TechniqueChooser';
 import type { EffectsByTechnique } from '../TechniquePicker';
 import type { TechniqueSet } from '../TechniqueSet';
 import { GpuTimer } from '../timer';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type SceneFigures, TechniqueChooser } from '../TechniqueChooser';
+import { type SceneFigures, TechniqueChooser } from '../warm-up/TechniqueChooser';
 import { LearntChoices } from './LearntChoices';
 import { readVerdict, TechniqueLearner } from './TechniqueLearner';
 

@@ -1,4 +1,4 @@
-import type { ChosenTechnique, SceneFigures } from '../TechniqueChooser';
+import type { ChosenTechnique, SceneFigures } from '../warm-up/TechniqueChooser';
 import { type LearntChoices, TIE, type Verdict } from './LearntChoices';
 
 /** Draws from one trial to the next: 1 of 64 is 1.6%. */

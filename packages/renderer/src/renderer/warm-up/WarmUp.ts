@@ -5,7 +5,7 @@ import { ResourceTable } from '../../frame/Resources';
 import type { Pass } from '../../frame/Pass';
 import type { RenderItem } from '../../frame/RenderItem';
 import type { Fills } from '../../frame/Fills';
-import type { Preparation } from '../TechniqueChooser';
+import type { Preparation } from './TechniqueChooser';
 import {
   programsOf,
   stopUsingPrograms,

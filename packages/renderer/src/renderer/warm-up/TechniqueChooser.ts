@@ -1,5 +1,7 @@
-import type { TechniqueName } from '../techniques';
-import type { Overdraw } from './warm-up/Overdraw';
+import type { Frame } from '../../frame/Frame';
+import type { LightTable } from '../../lighting/LightTable';
+import { MOST_IN_A_LOOP } from '../TechniqueSet';
+import type { Overdraw } from './Overdraw';
 
 /** Cheap figures of a frame, known before anything is drawn. */
 export interface SceneFigures {
@@ -81,8 +83,6 @@ const DEPTH_BESIDE_FORWARD = 0.7;
 const LIGHT_BY_MATERIALS = 0.02;
 const TRIANGLE_TWICE = 4.2;
 const PASSES = 300_000;
-/** Number of lights above which a loop over all of them takes longer than to compile another technique: it is left at once. */
-export const MOST_IN_A_LOOP = 128;
 /** Factor by which a bound must be passed, for some frames in a row, before another technique is chosen. */
 const SLACK = 1.3;
 const PATIENCE = 8;
@@ -128,8 +128,6 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   preparation: P | null = null;
   /** Estimate of the scene's overdraw. Set by the user; null until its code is there. */
   overdraw: Overdraw | null = null;
-  /** Technique that drew the scene last, by choice or not. Set by the user; null before the first frame. */
-  drawn: TechniqueName | null = null;
   private current: Choice | null = null;
   private waited = 0;
   /** Frames in a row in which another technique than `current` was best. */
@@ -209,4 +207,31 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     const bound = objects * scale > MANY_OBJECTS ? MANY_LIGHTS_OVER_MANY_OBJECTS : ofAnyObjects;
     return many > bound && !transparents ? 'tiled-deferred' : 'clustered-deferred';
   }
+}
+
+/**
+ * The figures of a frame whose lights are collected.
+ * @param surfaces - whether an effect works on a G-buffer
+ * @param floatTargets - whether float colour targets can be drawn to
+ */
+export function figuresOf(
+  frame: Frame,
+  { bounded, coverage, directional, unbounded }: LightTable,
+  { overdraw }: TechniqueChooser,
+  surfaces: boolean,
+  floatTargets: boolean,
+): SceneFigures {
+  return {
+    bounded: bounded + (frame.fields?.count ?? 0),
+    coverage: coverage + (frame.fields?.coverage ?? 0),
+    everywhere: directional + unbounded,
+    objects: frame.queue.opaque.length,
+    transparents: frame.queue.hasLitTransparents,
+    floatTargets,
+    surfaces,
+    pixels: frame.width * frame.height,
+    multisampled: frame.hostSamples > 0,
+    overdraw: overdraw?.layers ?? 0,
+    triangles: overdraw?.triangles ?? 0,
+  };
 }

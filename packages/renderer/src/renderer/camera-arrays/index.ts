@@ -1,0 +1,2 @@
+export { ArrayTraversal } from './ArrayTraversal';
+export { renderArray } from './renderArray';
