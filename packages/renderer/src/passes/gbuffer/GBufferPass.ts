@@ -1,3 +1,4 @@
+import { type MeshStandardMaterial, type Object3D, type Scene, UVMapping } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { fitsGBuffer, GBufferTarget } from './GBufferTarget';
 import { exceedsGBuffer } from '../../gbuffer/exceedsGBuffer';
@@ -20,8 +21,10 @@ export class GBufferPass implements Pass {
 
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
+    const blends = blendsEnvironment(frame.scene);
     for (const item of frame.queue.opaque) {
       if (!fitsGBuffer(item, frame.isLite) || exceedsGBuffer(item.material, frame.lights)) continue;
+      if (blends && !(item.material as MeshStandardMaterial).isMeshStandardMaterial) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }
@@ -32,4 +35,9 @@ export class GBufferPass implements Pass {
   dispose(): void {
     this.target.dispose();
   }
+}
+
+/** True for an environment without a mapping: three blends it as a cube map into Lambert and Phong materials, lights included. */
+function blendsEnvironment(scene: Object3D): boolean {
+  return (scene as Scene).environment?.mapping === UVMapping;
 }
