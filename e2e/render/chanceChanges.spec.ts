@@ -11,8 +11,8 @@ for (const seeds of decksOf(first, count, 4))
     benchPage: page,
   }) => {
     const { faults } = await page.evaluate(
-      async ([seeds, tries]) => (await window.testPage.chance()).runChanges(seeds, { tries }),
-      [seeds, asked ? 60 : 1] as const,
+      async ([seeds, options]) => (await window.testPage.chance()).runChanges(seeds, options),
+      [seeds, asked ? {} : { steps: 12, tries: 1 }] as const,
     );
     recordChanges(faults);
     if (!asked) expect(faults).toEqual([]);

@@ -95,7 +95,11 @@ const lights: Record<string, Change> = {
   },
   shadowType: (w, d) =>
     void (w.bench.webgl.shadowMap.type = d.of([THREE.BasicShadowMap, THREE.PCFShadowMap, THREE.VSMShadowMap])),
-  shadowsOff: (w, d) => void (w.bench.webgl.shadowMap.enabled = d.in(0.7)),
+  shadowsOff: (w, d) => {
+    w.bench.webgl.shadowMap.enabled = d.in(0.7);
+    // stock three goes on with the maps that it has until then
+    for (const { material } of w.meshes) for (const one of [material].flat()) one.needsUpdate = true;
+  },
   swapLight: (w, d) => {
     const kind = d.of(['point', 'spot', 'sun'] as const);
     const light = w.lights[kind].shift();

@@ -11,7 +11,7 @@ const WIDTH = 96;
 const HEIGHT = 64;
 /** Signal to noise, at least (dB), and share of pixels off by more than 2/255, at most. */
 const PSNR = 50;
-const SHARE = 0.002;
+const SHARE = 0.004;
 
 export interface ChangesOptions {
   /** Frames of a seed; default 20. */
@@ -49,7 +49,7 @@ export interface ChangesResult {
 
 /** A change of a frame, as frame, name and a seed of its own: others may be left out. */
 type Step = `${number} ${string} ${number}`;
-export const stepOf = (step: Step) => Number(step.split(' ', 1)[0]);
+const stepOf = (step: Step) => Number(step.split(' ', 1)[0]);
 
 function stepsOf(seed: number, count: number, without: readonly string[]): Step[] {
   const names = Object.keys(changes).filter((name) => !without.includes(name));
@@ -61,7 +61,7 @@ function stepsOf(seed: number, count: number, without: readonly string[]): Step[
 }
 
 /** A changing scene and who draws it. */
-export class Stage {
+class Stage {
   readonly bench: Bench;
   readonly world: ChangingScene;
 
@@ -132,10 +132,10 @@ export class Stage {
   }
 }
 
-export const diceOf = (seed: number, step: number) => new Dice(seed * 7919 + step * 31 + 5);
+const diceOf = (seed: number, step: number) => new Dice(seed * 7919 + step * 31 + 5);
 
 /** Techniques that draw a frame. */
-export function techniquesOf(seed: number, step: number, { techniques = compared, perStep = 3 }: ChangesOptions) {
+function techniquesOf(seed: number, step: number, { techniques = compared, perStep = 3 }: ChangesOptions) {
   const turn = (seed * 3 + step) * perStep;
   return Array.from({ length: perStep }, (_, i) => techniques[(turn + i) % techniques.length]);
 }

@@ -1,4 +1,4 @@
-import { type MeshStandardMaterial, type Object3D, type Scene, UVMapping } from 'three';
+import { type MeshStandardMaterial, type Scene, UVMapping } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { fitsGBuffer, GBufferTarget } from './GBufferTarget';
 import { exceedsGBuffer } from '../../gbuffer/exceedsGBuffer';
@@ -21,7 +21,8 @@ export class GBufferPass implements Pass {
 
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
-    const blends = blendsEnvironment(frame.scene);
+    // three blends an environment without a mapping as a cube map into Lambert and Phong materials, lights included
+    const blends = (frame.scene as Scene).environment?.mapping === UVMapping;
     for (const item of frame.queue.opaque) {
       if (!fitsGBuffer(item, frame.isLite) || exceedsGBuffer(item.material, frame.lights)) continue;
       if (blends && !(item.material as MeshStandardMaterial).isMeshStandardMaterial) continue;
@@ -35,9 +36,4 @@ export class GBufferPass implements Pass {
   dispose(): void {
     this.target.dispose();
   }
-}
-
-/** True for an environment without a mapping: three blends it as a cube map into Lambert and Phong materials, lights included. */
-function blendsEnvironment(scene: Object3D): boolean {
-  return (scene as Scene).environment?.mapping === UVMapping;
 }
