@@ -1,5 +1,8 @@
-import type { Light, Object3D } from 'three';
+import type { Light } from 'three';
 import { type PlainPoints, POINT } from './plainPoints';
+
+/** A light, or an object above one. */
+export type Placed = NonNullable<Light['parent']>;
 
 /** Numbers of one light in `FoundLights.poses`. */
 export const POSE = 8;
@@ -14,7 +17,7 @@ export class FoundLights {
   points: PlainPoints = new Float64Array(0);
   /**
    * Quaternion and scale of each light in `all` when its matrix was last composed, and element 10 of that matrix; the first
-   * is NaN where that is not known.
+   * is NaN where they are not known.
    */
   poses = new Float64Array(0);
   /** Index of the first child of the scene that is not read ahead yet. */
@@ -22,7 +25,7 @@ export class FoundLights {
   /** Managed lights that three's traversal would meet: those in `rest`, and below. */
   readonly nested: Light[] = [];
   /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
-  readonly rest: Object3D[] = [];
+  readonly rest: Placed[] = [];
   /** Whether `masks` counts the lights that cast a shadow, throw an image or have a profile. */
   seeksMasks = true;
   masks = 0;

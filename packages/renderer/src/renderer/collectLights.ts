@@ -6,6 +6,8 @@ import { POINT, readPoint } from '../lights/plainPoints';
 
 const { updateMatrixWorld } = Object3D.prototype;
 const identity = new Matrix4();
+/** Fewest children of a scene whose lights are read by `fetching.reader`. */
+const ROW = 8;
 
 /** Update of the world matrices of children: none, those that ask for it, or all. */
 const KEPT = 0;
@@ -64,14 +66,17 @@ function visitChildren(
 ): void {
   const { children } = parent;
   const unmoved = matrices !== KEPT && parent.matrixWorld.equals(identity);
-  const reader = unmoved && !left.all ? fetching.reader : null;
+  const reader = unmoved && !left.all && children.length >= ROW ? fetching.reader : null;
   for (let i = 0; i < children.length; i++) {
-    if (reader !== null && (children[i] as Light).isLight === true) {
-      i = reader.readPoints(parent, i, camera.layers.mask, found);
-      if (i === children.length) break;
-    }
     const child = children[i];
     const isLight = (child as Light).isLight === true;
+    if (isLight && reader !== null) {
+      const next = reader.readPoints(parent, i, camera.layers.mask, found);
+      if (next > i) {
+        i = next - 1;
+        continue;
+      }
+    }
     if (isLight && child.children.length === 0) {
       if (matrices !== KEPT) updateLight(child as Light, unmoved ? parent : null, matrices === FORCED);
       if (!child.visible || take(child as Light, camera, left, found)) continue;

@@ -67,8 +67,8 @@ function composes(light: PointLight): boolean {
 }
 
 /**
- * Whether turn and size are those of the last frame, as are the matrices, of which one number is looked at: what a host has written
- * there shows by it, but for a turn round z.
+ * Whether quaternion and scale are those that the matrices were last composed of. A host that wrote to matrices which three
+ * composes shows by element 10, beside the place in memory; a rotation about z written there does not, and nothing is lit by it.
  */
 function isTurnedAs({ quaternion, scale }: PointLight, poses: Float64Array, at: number, local: number, world: number) {
   const known = poses[at + 7];
@@ -79,13 +79,9 @@ function isTurnedAs({ quaternion, scale }: PointLight, poses: Float64Array, at: 
 }
 
 function keepPose({ quaternion, scale, matrix }: PointLight, poses: Float64Array, at: number): void {
-  poses[at] = quaternion.x;
-  poses[at + 1] = quaternion.y;
-  poses[at + 2] = quaternion.z;
-  poses[at + 3] = quaternion.w;
-  poses[at + 4] = scale.x;
-  poses[at + 5] = scale.y;
-  poses[at + 6] = scale.z;
+  // typed arrays are arrays to three
+  quaternion.toArray(poses as ArrayLike<number> as number[], at);
+  scale.toArray(poses as ArrayLike<number> as number[], at + 4);
   poses[at + 7] = matrix.elements[10];
 }
 
