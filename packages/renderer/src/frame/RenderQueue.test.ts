@@ -1,9 +1,10 @@
 import { Mesh, MeshBasicMaterial } from 'three';
 import { expect, it } from 'vitest';
+import { byOctave } from '../renderer/warm-up/Overdraw';
 import { RenderQueue } from './RenderQueue';
 
 /** Depths of the opaque items of a queue, in the order in which they are drawn. */
-function sortedDepths(set: Partial<Pick<RenderQueue, 'nearFirst' | 'ordered'>>, custom = false): number[] {
+function sortedDepths(set: Partial<Pick<RenderQueue, 'order' | 'ordered'>>, custom = false): number[] {
   const queue = new RenderQueue();
   queue.clear();
   const [first, second] = [new MeshBasicMaterial(), new MeshBasicMaterial()];
@@ -27,7 +28,7 @@ it('sorts opaque items as three does: by render order, material, then front to b
 });
 
 it('sorts front to back by octaves where asked to, and within an octave as three does', () => {
-  expect(sortedDepths({ nearFirst: true })).toEqual([-1, 0.3, 0.6, 5, 4, 40, 41, 0.1]);
-  expect(sortedDepths({ nearFirst: true, ordered: true }), 'an item must be drawn in order').toEqual(asThree);
-  expect(sortedDepths({ nearFirst: true }, true), "the host's order").toEqual([41, 40, 5, 4, 0.6, 0.3, 0.1, -1]);
+  expect(sortedDepths({ order: byOctave })).toEqual([-1, 0.3, 0.6, 5, 4, 40, 41, 0.1]);
+  expect(sortedDepths({ order: byOctave, ordered: true }), 'an item must be drawn in order').toEqual(asThree);
+  expect(sortedDepths({ order: byOctave }, true), "the host's order").toEqual([41, 40, 5, 4, 0.6, 0.3, 0.1, -1]);
 });

@@ -9,6 +9,7 @@ import {
   type Scene,
   type WebGLRenderer,
 } from 'three';
+import type { Overdraw } from './warm-up/Overdraw';
 import type { WarmUp } from './warm-up/WarmUp';
 import { type RenderList, type RenderLists, renderListsOf } from '../three/RenderList';
 import type { RenderQueue } from '../frame/RenderQueue';
@@ -48,6 +49,8 @@ export class SceneView {
   chooser: TechniqueChooser<WarmUp> | null = null;
   /** Technique that drew the scene last, by choice or not; null before the first frame. */
   drawn: TechniqueName | null = null;
+  /** Estimate of the scene's overdraw; null until its code is there. */
+  overdraw: Overdraw | null = null;
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
   private lights: readonly Light[] = [];

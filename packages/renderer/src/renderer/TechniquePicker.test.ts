@@ -24,7 +24,7 @@ const device = (floatTargets: boolean) => {
   return Object.assign(found, { extensions: { has: () => found.floatTargets } });
 };
 
-const newScene = (): DrawnScene => ({ chooser: null, drawn: null });
+const newScene = (): DrawnScene => ({ chooser: null, drawn: null, overdraw: null });
 
 const passThat = (writes: Pass['writes']): Pass[] => [
   { name: 'pass', reads: [], writes, bytes: 0, render() {}, dispose() {} },
@@ -64,13 +64,14 @@ function makePicker() {
 it('begins by one of two techniques until the rules of auto are there', async () => {
   const { draw, picker } = makePicker();
   const scene = newScene();
-  expect(warmUpCode.isThere).toBe(false);
+  const late = vi.spyOn(warmUpCode, 'use').mockReturnValue(null);
   expect([draw(scene, 3), draw(newScene(), 60), draw(newScene(), 3, { surfaces: true })]).toEqual([
     'forward-single-pass',
     'deferred',
     'deferred',
   ]);
   expect(picker.reason).toBe('the code of "auto" is being fetched');
+  late.mockRestore();
   await warmUpCode.load();
   draw(scene, 0);
   expect([picker.active, picker.reason]).toEqual(['forward-single-pass', 'few lights: lists cost more than they save']);

@@ -7,6 +7,7 @@ import type { TechniqueChooser } from './warm-up/TechniqueChooser';
 import { learningCode, warmUpCode } from './lazyCode';
 import type { LearningFrames } from './learning';
 import type { LightTable } from '../lighting/LightTable';
+import type { Overdraw } from './warm-up/Overdraw';
 import type { WarmUp } from './warm-up/WarmUp';
 import type { TechniqueName } from '../techniques';
 import { MOST_IN_A_LOOP, type TechniqueSet } from './TechniqueSet';
@@ -21,6 +22,8 @@ export interface DrawnScene {
   chooser: TechniqueChooser<WarmUp> | null;
   /** Technique that drew the scene last, by choice or not; null before the first frame. */
   drawn: TechniqueName | null;
+  /** Estimate of the scene's overdraw; null until its code is there. */
+  overdraw: Overdraw | null;
 }
 
 /** Gives the effects of a frame, by the technique that draws it. */
@@ -113,7 +116,7 @@ export class TechniquePicker {
   private choose(scene: DrawnScene, frame: Frame, table: LightTable, surfaces: boolean, floatTargets: boolean): void {
     const chooser = (scene.chooser ??= warmUpCode.use((code) => new code.TechniqueChooser<WarmUp>()));
     if (chooser === null) return;
-    const figures = warmUpCode.required.figuresOf(frame, table, chooser, surfaces, floatTargets);
+    const figures = warmUpCode.required.figuresOf(frame, table, scene.overdraw, surfaces, floatTargets);
     const choice = chooser.choose(figures, true);
     this.isChanging = chooser.isChanging;
     this.active = choice.technique;
@@ -128,14 +131,13 @@ export class TechniquePicker {
 
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(scene: DrawnScene, frame: Frame, draws: EffectsByTechnique): void {
-    const isNamed = this.asked !== 'auto';
-    if ((scene.chooser?.settled === true || isNamed || frame.session !== null) && warmUpCode.isThere) {
-      const chooser = (scene.chooser ??= new warmUpCode.required.TechniqueChooser<WarmUp>());
-      chooser.overdraw ??= new warmUpCode.required.Overdraw();
-      chooser.overdraw.follow(frame);
-    }
     const { chooser } = scene;
-    if (isNamed || chooser === null) return;
+    const waits = this.asked === 'auto' && frame.session === null && chooser?.settled !== true;
+    if (!waits && warmUpCode.isThere) {
+      scene.overdraw ??= new warmUpCode.required.Overdraw();
+      scene.overdraw.follow(frame);
+    }
+    if (this.asked !== 'auto' || chooser === null) return;
     if (chooser.next === null) {
       if (this.learns) this.learning?.warmUp(chooser, draws);
       return;

@@ -28,7 +28,7 @@ export function drawCameras(
   session: Session | null,
   draw: DrawByCamera,
 ): void {
-  const isArray = (camera as ArrayCamera).isArrayCamera === true;
+  const isArray = 'isArrayCamera' in camera;
   if (isArray && !arrayCode.ask()) return webgl.render(scene, camera);
   // else matrices are brought up to date while lights are looked for
   const updated = beforeRender(webgl, scene, camera);

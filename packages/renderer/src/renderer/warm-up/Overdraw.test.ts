@@ -11,7 +11,7 @@ import {
 } from 'three';
 import { expect, it } from 'vitest';
 import type { RenderItem } from '../../frame/RenderItem';
-import { Overdraw } from './Overdraw';
+import { byOctave, Overdraw } from './Overdraw';
 
 const material = new MeshStandardMaterial();
 const camera = new PerspectiveCamera(60, 16 / 9, 0.1, 100);
@@ -34,7 +34,7 @@ const item = (object: Mesh, route: RenderItem['route'] = 'split'): RenderItem =>
 /** A frame of 100 × 100 pixels. */
 const frameOf = (opaque: readonly RenderItem[], by: Camera = camera, nearFirst = false) => ({
   ...{ camera: by, width: 100, height: 100 },
-  queue: { opaque, nearFirst },
+  queue: { opaque, order: nearFirst ? byOctave : null },
 });
 
 function estimate(items: readonly RenderItem[], by?: Camera, nearFirst?: boolean): Overdraw {
@@ -98,12 +98,12 @@ it('finds whether drawing front to back spares more than its changes of material
   const [near, middle, far] = [layer(3, second), layer(6, first), layer(12, second)];
   // front to back: two changes of material in place of one, a layer hidden in place of drawn: 10,000 pixels of 4,000
   const asThree = [middle, near, far];
-  expect(estimate(asThree)).toMatchObject({ layers: 1, nearFirst: true });
-  expect(estimate([near, middle, far], camera, true), 'once it is done').toMatchObject({ layers: 0, nearFirst: true });
-  expect(estimate([near, far], camera), 'one material').toMatchObject({ nearFirst: false });
+  expect(estimate(asThree)).toMatchObject({ layers: 1, order: byOctave });
+  expect(estimate([near, middle, far], camera, true), 'once it is done').toMatchObject({ layers: 0, order: byOctave });
+  expect(estimate([near, far], camera), 'one material').toMatchObject({ order: null });
   const small = new Overdraw();
   small.follow({ ...frameOf(asThree), width: 30 });
-  expect(small.nearFirst, 'few pixels').toBe(false);
+  expect(small.order, 'few pixels').toBeNull();
   const many = Array.from({ length: 1001 }, (_, i) => layer(3 * 2 ** (i % 3), i % 2 ? first : second));
-  expect(estimate(many).nearFirst, 'many items').toBe(false);
+  expect(estimate(many).order, 'many items').toBeNull();
 });

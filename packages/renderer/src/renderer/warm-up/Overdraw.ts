@@ -1,6 +1,7 @@
 import type { BufferGeometry, Camera, InstancedMesh, Object3D, Sphere } from 'three';
 import type { RenderItem } from '../../frame/RenderItem';
-import { byOctave, byState } from '../../frame/RenderQueue';
+import { byState } from '../../frame/RenderQueue';
+import type { RenderListItem } from '../../three/RenderListItem';
 
 /** Cells of the picture along a side. */
 const SIDE = 8;
@@ -17,13 +18,24 @@ const PIXELS_A_CHANGE = 4000;
 /** Clip-space w below which a corner counts as behind the camera. */
 const BEHIND = 1e-3;
 
+/**
+ * Front to back by octaves of depth, which spares shading of what is hidden; within an octave as `byState`, which spares
+ * changes of material.
+ */
+export function byOctave(a: RenderListItem, b: RenderListItem): number {
+  return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || octaveOf(a.z) - octaveOf(b.z) || byState(a, b);
+}
+
+/** Octave of a depth, from 1/1024 (m) on; 0 for what is nearer, or behind the camera. */
+const octaveOf = (z: number): number => 32 - Math.clz32(Math.max(0, z * 1024));
+
 /** Parts of a frame that an estimate reads. */
 export interface EstimatedFrame {
   readonly camera: Camera;
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
-  readonly queue: { readonly opaque: readonly RenderItem[]; readonly nearFirst: boolean };
+  readonly queue: { readonly opaque: readonly RenderItem[]; readonly order: unknown };
 }
 
 /** Boxes of geometries in their own space, min and max; null for one without positions. */
@@ -49,26 +61,27 @@ export class Overdraw {
   layers = 0;
   /** Number of triangles of the items that a depth pre-pass would draw. */
   triangles = 0;
-  /** Whether drawing front to back (`RenderQueue.nearFirst`) spares the GPU more than its changes of material cost. */
-  nearFirst = false;
+  /** `RenderQueue.order`: by octaves where that spares the GPU more than its changes of material cost; else null. */
+  order: typeof byOctave | null = null;
   private frames = 0;
 
   /** Counts a frame, which has been drawn. */
-  follow({ camera, queue: { opaque, nearFirst }, width, height }: EstimatedFrame): void {
+  follow({ camera, queue: { opaque, order }, width, height }: EstimatedFrame): void {
     if (this.frames++ % INTERVAL !== 0) return;
     const isFirst = this.frames === 1;
     if (opaque.length > MOST_ITEMS) {
       this.layers /= 2;
-      this.nearFirst = false;
+      this.order = null;
       return;
     }
     for (let i = 0; i < opaque.length; i++) reordered[i] = opaque[i];
-    reordered.sort(nearFirst ? byState : byOctave);
-    const sign = nearFirst ? 1 : -1;
+    reordered.sort(order === null ? byOctave : byState);
+    const sign = order === null ? -1 : 1;
     const other = this.estimate(reordered, camera);
     const layers = this.estimate(opaque, camera);
     const changes = sign * (changesOf(opaque) - changesOf(reordered));
-    this.nearFirst = sign * (other - layers) * width * height > PIXELS_A_CHANGE * changes;
+    const isNearFirst = sign * (other - layers) * width * height > PIXELS_A_CHANGE * changes;
+    this.order = isNearFirst ? byOctave : null;
     this.layers = isFirst ? layers : (this.layers + layers) / 2;
     reordered.length = 0;
   }

@@ -126,8 +126,6 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   next: Choice | null = null;
   /** Makes `next` ready. Set by the user; dropped when `next` changes. */
   preparation: P | null = null;
-  /** Estimate of the scene's overdraw. Set by the user; null until its code is there. */
-  overdraw: Overdraw | null = null;
   private current: Choice | null = null;
   private waited = 0;
   /** Frames in a row in which another technique than `current` was best. */
@@ -217,7 +215,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
 export function figuresOf(
   frame: Frame,
   { bounded, coverage, directional, unbounded }: LightTable,
-  { overdraw }: TechniqueChooser,
+  overdraw: Overdraw | null,
   surfaces: boolean,
   floatTargets: boolean,
 ): SceneFigures {
