@@ -14,10 +14,10 @@ export interface SlicedWork {
   onSlice(share: number, batch: number): void;
 }
 
-/** Slices queued on the GPU: one runs while the page learns that another is done. */
+/** Maximum number of slices queued on the GPU: one runs while the page is told that another is done. */
 const IN_FLIGHT = 2;
 
-/** Draws work in slices; between those that the GPU has in hand, of about so many milliseconds, the page may draw. */
+/** Draws work in slices of a target duration (ms), between which the page may draw. */
 export class Slices {
   constructor(
     private readonly renderer: WebGLRenderer,

@@ -15,11 +15,11 @@ import type { Scene } from './Scene';
 import { Transform } from './Transform';
 import { UnknownComponent } from './UnknownComponent';
 
-/** How a component is put on a GameObject. */
+/** Options of `addComponent`: the new component's id and place. */
 export interface AddComponentOptions {
   /** Place among the components; at the end when absent. Place 0 is the Transform's. */
   index?: number;
-  /** Id in place of one made from the object's. */
+  /** Id of the component; by default made from the object's id. */
   id?: string;
   enabled?: boolean;
 }

@@ -17,7 +17,7 @@ export const unpackLimits = {
 export interface UnpackQuestion {
   /** Size of the packed data (bytes). */
   readonly packed: number;
-  /** Bytes that they become, or, of a stream, have become until now. */
+  /** Unpacked bytes; of a stream, those so far. */
   readonly unpacked: number;
 }
 

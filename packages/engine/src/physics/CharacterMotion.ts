@@ -9,9 +9,9 @@ import type { CharacterPart } from './PhysicsParts';
 const SKIN = 0.01;
 /** Share of the difference to the requested velocity gained per step on the ground: full speed in 0.2 s. */
 const GRIP = 0.25;
-/** Steps after leaving the ground in which a jump is still accepted. */
+/** Number of steps after leaving the ground in which a jump is still accepted. */
 const LATE_JUMP = 6;
-/** Steps without a touch until a contact counts as ended. */
+/** Number of steps without a touch until a contact counts as ended. */
 const GRACE = 5;
 /** Smallest y of a unit normal that counts as ground. */
 const GROUND_NORMAL = 0.3;

@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
 
-/** Numbers stored per object: position 3, quaternion 4, scale 3. */
+/** Floats stored per object: position 3, quaternion 4, scale 3. */
 const SIZE = 10;
 
 /** Detects that an object or an ancestor was moved. */

@@ -61,7 +61,7 @@ export class RenderQueue {
   private readonly pool: RenderItem[] = [];
   /** Layers of items that are not `layered`; 0 when lights ignore layers. */
   layers = 0;
-  /** How materials that show nothing but shadows are drawn; null while three does it. Set by `FrameLights.update`. */
+  /** Draws materials that show shadows alone (ShadowMaterial); null while three does it. Set by `FrameLights.update`. */
   shadowMasks: ShadowMaskMaterials | null = null;
   /** True if every opaque item is plain, and its material writes the geometry's depth. */
   covers = true;
@@ -182,7 +182,7 @@ export class RenderQueue {
     this.look = look;
   }
 
-  /** How an item without nodes is shaded. @param ownShader - whether its shader is not three's as it is */
+  /** Shading of an item without nodes. @param ownShader - whether its shader is not three's as it is */
   private shadingOf(material: Material, ownShader: boolean): ItemShading {
     const lit = !threeChunks.lights && isLit(material);
     if (!lit && this.shadowMasks?.shows(material) !== true) return 'unlit';

@@ -90,7 +90,7 @@ export class FieldLists {
   get bytes(): number {
     const { boxes, slices, steps } = this;
     let bytes = slices.target.width * slices.target.height * 4 + boxes.target.width * boxes.target.height * 16;
-    // `boxes` is among the steps too: its target has two attachments of 16 bytes
+    // twice for `boxes`, which is in `steps` too: its target has two attachments of 16 bytes a texel
     for (let i = 0; i < steps.length; i++) bytes += steps[i].target.width * steps[i].target.height * 16;
     return bytes;
   }

@@ -1,7 +1,7 @@
 import type { Material, Object3D, ShaderMaterial } from 'three';
 import { threeChunks } from '../three/ThreeChunks';
 
-/** Frames for which three keeps lighting a scene after its last refused material went out of sight. */
+/** Number of frames for which three keeps lighting a scene after its last refused material went out of view. */
 const KEPT_FRAMES = 600;
 
 /** Matches GLSL that reads three's arrays of lights or its ambient light. */

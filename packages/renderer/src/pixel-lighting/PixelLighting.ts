@@ -83,11 +83,11 @@ export interface PixelLighting {
   readonly sum: Color;
   /** Lights that reach the pixel, or would without shadows: brightest first. */
   readonly lights: readonly LightShare[];
-  /** The other light, brightest first; kinds that give nothing are left out. */
+  /** Ambient, environment, emissive and other light that no light of `lights` gives, brightest first. */
   readonly others: readonly OtherShare[];
   /** Surfaces that the pixel shows, nearest first, down to the first opaque one; none for a background. Found by ray. */
   readonly surfaces: readonly PixelSurface[];
-  /** Programs of what is drawn there: objects and full-screen passes. */
+  /** Programs that draw the pixel: those of objects and of full-screen passes. */
   readonly programs: readonly PixelProgram[];
   /** Names of effects that the parts are drawn without, such as anti-aliasing and fog that gathers frames. */
   readonly effectsLeftOut: readonly string[];

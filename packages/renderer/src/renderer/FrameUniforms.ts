@@ -5,7 +5,7 @@ import type { LightTable } from '../lighting/LightTable';
 import { FLOATS_PER_RECORD, LIGHT } from '../lights/lightRecord';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Lights that the uniforms of fewLights.glsl have room for. */
+/** Maximum number of lights in the uniforms of fewLights.glsl. */
 const FEW = 2;
 
 /** Sets the shared uniforms of a renderer for each frame. */
@@ -45,7 +45,7 @@ export class FrameUniforms {
     values.farol_lightTable.value = few ? null : (frame.fields?.texture ?? lights.table.texture);
   }
 
-  /** Copies the texels that plain lights have to uniforms. @returns whether all lights are plain, and few enough */
+  /** Copies directional and point lights to uniforms. @returns false for too many lights, and for any with more than three's own options */
   private copyFew(): boolean {
     const { values } = this;
     const { recordCount, directional, table } = this.lights;

@@ -28,15 +28,15 @@ const SIZE = ['farol_frameSize'];
 const SAMPLES = 32;
 /** Factor on the new frame's weight for pixels that stand still while others move. */
 const STILL = 0.5;
-/** Frames after a change of lights or materials in which history is always clipped to present neighbours. */
+/** Number of frames after a change of lights or materials in which history is always clipped to neighbours. */
 const RELIT = 8;
-/** Frames after an object appears or begins to move in which pixels without motion are not taken to stand still. */
+/** Number of frames after an object appears or begins to move in which no pixel counts as still. */
 const MET = 2;
-/** Frames without any change after which all frames begin to be averaged. */
+/** Number of frames without any change after which all frames are averaged. */
 const SETTLED = 4;
 /** Number of frames as which the accumulated picture counts after objects have moved. */
 const MOVED = 3;
-/** Pixels of a picture from which on the default of `cells` is 1. */
+/** Number of pixels from which on the default of `cells` is 1. */
 const LARGE = 4e6;
 /** Cosine of the camera's turn between two frames below which the frame counts as a cut to another shot. */
 const CUT = 0.7;

@@ -35,7 +35,7 @@ export class FroxelTexture {
 
   /**
    * Binds slices for the draws that follow.
-   * @param draw - index among the draws of so many `layers`
+   * @param draw - index of the draw, each of `layers` slices
    */
   bind(frame: Frame, draw: number, layers: number): void {
     const { gl, webgl } = frame;

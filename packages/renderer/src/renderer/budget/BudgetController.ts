@@ -76,7 +76,7 @@ export class BudgetController {
     return this.scaleOf(this.step);
   }
 
-  /** Begins a frame: goes on to the goal. @returns its scale */
+  /** Begins a frame: moves the scale a step towards its goal. @returns the frame's scale */
   advance(): number {
     const off = this.goal - this.step;
     if (off !== 0) this.load.fade();

@@ -2,9 +2,9 @@ import type { Camera } from 'three';
 import { GpuTimer } from '../timer';
 import type { BudgetController } from './BudgetController';
 
-/** Frames that are timed by the GPU at once, at most. */
+/** Maximum number of pending GPU timer queries. */
 const FRAMES = 16;
-/** Frames without an answer of the GPU's timer after which intervals count. */
+/** Number of frames without a result of the GPU timer after which intervals count. */
 const SILENT = 40;
 /** Draws by other cameras after which one of them begins frames in place of a camera that is gone. */
 const OTHERS = 32;

@@ -8,11 +8,11 @@ import { WarmUp } from '../warm-up';
 import { learnerOf } from './learners';
 import type { TechniqueLearner } from './TechniqueLearner';
 
-/** Pixels along a side below which a picture is too small to tell techniques apart. */
+/** Minimum side of a picture (pixels): smaller ones are too fast to compare techniques. */
 const SMALL = 64;
-/** Draws in a row in which another technique is faster, as learnt, before it is changed to. */
+/** Number of consecutive frames in which another technique must be faster, as learnt, before a change. */
 const PATIENCE = 30;
-/** Draws after which times that have not come are given up. */
+/** Number of frames after which a time query without a result is given up. */
 const LOST = 120;
 /** Tag of times that belong to no trial; those of a trial have its number × 4 + stage. */
 const NONE = -1;

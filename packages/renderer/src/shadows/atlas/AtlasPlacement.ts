@@ -34,7 +34,7 @@ export class AtlasPlacement {
     return this.edge;
   }
 
-  /** How often the atlas, being full, has halved the sides of this map. */
+  /** Number of times that the full atlas has halved the map's sides. */
   get halvings(): number {
     return this.halved;
   }

@@ -60,7 +60,7 @@ export class TextureAtlas {
 
   /**
    * @param limit - texels a side at most
-   * @param make - makes a target of so many texels a side
+   * @param make - makes a target of a number of texels a side
    */
   constructor(
     private limit: number,
@@ -130,7 +130,7 @@ export class TextureAtlas {
     this.reduced = false;
   }
 
-  /** Releases a tenant's region. */
+  /** Frees the region of a shadow map or cookie. */
   release(tenant: AtlasTenant): void {
     const { region } = tenant.placement;
     if (region === null) return;

@@ -19,7 +19,7 @@ import type { TextureAtlas } from '../atlas/TextureAtlas';
  * number.
  */
 const BLOCK = 8;
-/** Frames without a change after which the depths of a shadow map are bounded. */
+/** Number of frames without a change after which minimum and maximum depths of a shadow map are computed. */
 const REST = 2;
 /** Shadow-map texels whose depths are bounded in a frame; the map that exceeds them is the frame's last. */
 const BUDGET = 12_000_000;

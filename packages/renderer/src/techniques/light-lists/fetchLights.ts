@@ -1,7 +1,7 @@
 import type { Light, Object3D, PointLight, SpotLight } from 'three';
 import { fetching } from '../../lights/fetching';
 
-/** Objects whose data are fetched together; few enough for the caches of a processor's core. */
+/** Number of objects whose data are fetched together; few enough for a core's caches. */
 const FETCHED = 32;
 /** Number of objects from which on they are fetched: fewer stay in the caches from frame to frame. */
 const FETCHED_FROM = 64;

@@ -36,7 +36,7 @@ import { MergedMesh } from './MergedMesh';
 import { directDraw, type DirectDraw } from '../../../three/directDraw';
 import { isCompiled, programHandle } from '../../../three/handles';
 
-/** Walks over the scene for which a caster must be unchanged before it is merged. */
+/** Number of scene traversals in which a caster must be unchanged before it is merged. */
 const SETTLED = 30;
 /** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
 const MOST_TRIANGLES = 2_000_000;
