@@ -310,12 +310,12 @@ export class Scene implements GameObjectContainer {
   /** Dispatches a pointer event to every active component with a method for it, and to those under the pointer. */
   dispatchPointer(event: EnginePointerEvent): void {
     this.calls.pointer(event);
-    this.pointer.take(event);
+    this.pointer.handleEvent(event);
   }
 
   /** Dispatches a pointer event only to components of the object under the pointer. */
   dispatchObjectPointer(event: EnginePointerEvent): void {
-    this.pointer.take(event);
+    this.pointer.handleEvent(event);
   }
 
   /** Dispatches a key event to every active component that wants it. */

@@ -56,7 +56,7 @@ export class ScenePointer {
   ) {}
 
   /** Handles a pointer event. A move waits for the next frame, since many may arrive in one. */
-  take(event: EnginePointerEvent): void {
+  handleEvent(event: EnginePointerEvent): void {
     const { type, pointerId } = event;
     if (type === 'wheel') return;
     const isWanted = this.isWanted();

@@ -16,7 +16,7 @@ const GRACE = 5;
 /** Smallest y of a unit normal that counts as ground. */
 const GROUND_NORMAL = 0.3;
 
-const wanted = new Vector3();
+const desiredMove = new Vector3();
 const moved = new Vector3();
 
 /** Another collider that the character touches. */
@@ -88,12 +88,12 @@ export class CharacterMotion {
     body.stay();
     if (step === 0) return;
     this.steer(seconds);
-    wanted.copy(velocity).multiplyScalar(seconds);
+    desiredMove.copy(velocity).multiplyScalar(seconds);
     // moved along by the body it stands on
-    this.ground?.carry(body, wanted);
+    this.ground?.carry(body, desiredMove);
     controller.computeColliderMovement(
       this.capsule.rapier,
-      wanted,
+      desiredMove,
       rapier.QueryFilterFlags.EXCLUDE_SENSORS,
       undefined,
       this.accepts,
@@ -102,7 +102,7 @@ export class CharacterMotion {
     control.isGrounded = controller.computedGrounded();
     this.stepsInAir = control.isGrounded ? 0 : this.stepsInAir + 1;
     // upward motion was blocked: the head hit something
-    if (velocity.y > 0 && moved.y < wanted.y / 2) velocity.y = 0;
+    if (velocity.y > 0 && moved.y < desiredMove.y / 2) velocity.y = 0;
     this.readHits(step);
     body.advance(moved);
     control.velocity.copy(moved).divideScalar(seconds);

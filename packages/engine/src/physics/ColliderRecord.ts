@@ -32,7 +32,7 @@ export interface ColliderRecord extends BodyCollider {
   readonly shapeMade: Matrix4;
 }
 
-const way = new Matrix4();
+const bodyToCollider = new Matrix4();
 const columns = [new Vector3(), new Vector3(), new Vector3()] as const;
 /** Tolerance per matrix element of a rigid motion. */
 const RIGID = 1e-5;
@@ -51,11 +51,11 @@ function isRigid(matrix: Matrix4): boolean {
  */
 export function moveCollider({ object, body, rapier, made, shapeMade }: ColliderRecord): boolean {
   if (!made) return false;
-  matrixInBody(object, body, way);
-  if (!way.elements.every(Number.isFinite)) return false;
-  way.multiply(inverse.copy(made).invert());
-  if (!isRigid(way)) return false;
-  way.multiply(shapeMade).decompose(place, turn, size);
+  matrixInBody(object, body, bodyToCollider);
+  if (!bodyToCollider.elements.every(Number.isFinite)) return false;
+  bodyToCollider.multiply(inverse.copy(made).invert());
+  if (!isRigid(bodyToCollider)) return false;
+  bodyToCollider.multiply(shapeMade).decompose(place, turn, size);
   rapier.setTranslationWrtParent(place);
   rapier.setRotationWrtParent(turn);
   return true;

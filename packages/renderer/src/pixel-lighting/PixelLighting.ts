@@ -23,7 +23,7 @@ export interface LightShare {
 /**
  * Kind of light that is of no one place. 'ambient', 'hemisphere', 'light-probe': a light of three's; 'environment': reflected
  * surroundings; 'probes': a baked grid of light probes; 'unlit': what no light changes, such as a background, materials that are not
- * lit and what a shader of the host's adds; 'lights': lights beyond `PixelLightingOptions.most`, all together.
+ * lit and what a shader of the host's adds; 'lights': lights beyond `PixelLightingOptions.maxLights`, all together.
  */
 export type OtherLight =
   | 'ambient'
@@ -100,7 +100,7 @@ export interface PixelLightingOptions {
   /** Size of the picture that the camera fills (pixels). Default: of the drawing buffer. */
   readonly size?: { readonly width: number; readonly height: number };
   /** Maximum number of lights told apart, at least 1; the weaker ones are one share of the kind 'lights'. Default 128. */
-  readonly most?: number;
+  readonly maxLights?: number;
   /** Ends the work: the promise is then rejected with the signal's reason. */
   readonly signal?: AbortSignal;
   /** Called now and then with the part of the work that is done, 0 to 1. */

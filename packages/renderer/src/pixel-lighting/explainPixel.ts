@@ -65,7 +65,7 @@ function check(farol: FarolRenderer, camera: Camera): TechniqueName {
 class PixelWork {
   readonly picture: PixelPicture;
   private readonly technique: TechniqueName;
-  private readonly most: number;
+  private readonly maxLights: number;
   private readonly size;
   private terms: LightTerm[] = [];
   private programs: PixelProgram[] = [];
@@ -83,8 +83,9 @@ class PixelWork {
     const { x, y } = pointer;
     if (!(Math.abs(x) <= 1 && Math.abs(y) <= 1))
       throw new RangeError(`explainPixel: the pointer is (${x}, ${y}); give numbers from -1 to 1.`);
-    this.most = options.most ?? 128;
-    if (!(this.most >= 1)) throw new RangeError(`explainPixel: most is ${this.most}; give a number of at least 1.`);
+    this.maxLights = options.maxLights ?? 128;
+    if (!(this.maxLights >= 1))
+      throw new RangeError(`explainPixel: maxLights is ${this.maxLights}; give a number of at least 1.`);
     this.technique = check(farol, camera);
     const { width, height } = options.size ?? farol.webgl.getDrawingBufferSize(new Vector2());
     this.size = { width, height };
@@ -249,7 +250,7 @@ class PixelWork {
   }
 
   private *measureLights(measures: Measure[], point: Vector3 | null): Generator<number, void> {
-    const { picture, farol, most } = this;
+    const { picture, farol, maxLights } = this;
     const local = picture.parts.found.filter((light) => !isAmbient(light));
     const lights = new LightParts(local, picture.camera);
     const measure = (parts: readonly LightPart[]): Color => this.lightOf(lights.lightsOf(parts), true);
@@ -257,7 +258,7 @@ class PixelWork {
       measures.push({ ...part, ...this.takenBy(part.light), distance: distanceOf(part, point) });
       yield 0;
     }
-    const { single, rest } = yield* brightestParts(lights.all, measure, most);
+    const { single, rest } = yield* brightestParts(lights.all, measure, maxLights);
     const shadowed = shadowedLights(farol.webgl);
     for (const {
       parts: [part],

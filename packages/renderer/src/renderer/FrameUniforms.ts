@@ -26,9 +26,9 @@ export class FrameUniforms {
     counts[0] = lights.directional;
     counts[1] = lights.unbounded;
     counts[2] = lights.listed;
-    counts[3] = lights.others;
+    counts[3] = lights.extendedCount;
     const areas = values.farol_areaCounts.value;
-    areas[0] = lights.boundeds.length + lights.slots - lights.others;
+    areas[0] = lights.boundeds.length + lights.slots - lights.extendedCount;
     areas[1] = lights.areas;
     shadows?.setUniforms(values, lights.firstMask + lights.slots, frame.camera);
     values.farol_heatScale.value = 1 / heatMaximum;

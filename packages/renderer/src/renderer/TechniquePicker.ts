@@ -36,7 +36,7 @@ export class TechniquePicker {
   passTimer: GpuTimer | null = null;
   /** Trials of 'auto'; null until there is something to learn and the code is there. */
   learning: LearningFrames | null = null;
-  private asked: TechniqueName = 'auto';
+  private requested: TechniqueName = 'auto';
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -45,12 +45,12 @@ export class TechniquePicker {
 
   /** Technique asked for. @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
-    return this.asked;
+    return this.requested;
   }
 
   set technique(name: TechniqueName) {
     checkDevice(this.webgl, this.set.get(name).needsFloatTargets);
-    this.asked = name;
+    this.requested = name;
     this.set.codeOf(name)?.ask();
   }
 
@@ -69,7 +69,7 @@ export class TechniquePicker {
     table: LightTable,
     { needsSurfaces }: ActiveEffects,
   ): void {
-    this.active = this.asked;
+    this.active = this.requested;
     this.reason = 'asked for';
     this.isChanging = false;
     if (!frame.hasPlainProjection) {
@@ -79,7 +79,7 @@ export class TechniquePicker {
     }
     const lights = table.bounded + table.directional + table.unbounded + (frame.fields?.count ?? 0);
     const floatTargets = lacksFloatTargets(this.webgl) === null;
-    if (this.asked === 'auto') {
+    if (this.requested === 'auto') {
       if (frame.session === null) this.choose(chooser, frame, table, needsSurfaces, floatTargets);
       else {
         this.active = needsSurfaces && floatTargets ? 'clustered-deferred' : 'clustered-forward';
@@ -144,7 +144,7 @@ export class TechniquePicker {
 
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
-    if (this.asked !== 'auto') return;
+    if (this.requested !== 'auto') return;
     if (chooser.settled && frame.session === null && warmUpCode.isThere) {
       chooser.overdraw ??= new warmUpCode.required.Overdraw();
       chooser.overdraw.follow(frame);

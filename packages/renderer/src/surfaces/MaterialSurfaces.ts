@@ -139,7 +139,7 @@ export class MaterialSurfaces implements WornSurfaces {
       );
   }
 
-  look(): number {
+  colourVersion(): number {
     let look = this.stamp;
     for (let i = 0; i < this.list.length; i++) {
       const { parsed, time } = this.list[i].surface;
@@ -148,7 +148,7 @@ export class MaterialSurfaces implements WornSurfaces {
     return look;
   }
 
-  shape(): number {
+  shapeVersion(): number {
     let shape = this.stamp;
     for (let i = 0; i < this.list.length; i++) {
       const { parsed, time } = this.list[i].surface;

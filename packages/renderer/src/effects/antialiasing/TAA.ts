@@ -193,11 +193,11 @@ export class TAA implements FarolEffect {
     uniforms.farol_reachBefore.value = history.reach;
     uniforms.farol_motionMap.value = motion.target?.texture ?? null;
     uniforms.farol_hasMotion.value = motion.drawn;
-    const { now, before } = history.reactive;
+    const { now, previous } = history.reactive;
     uniforms.farol_reactive.value = now ?? picture.texture;
-    uniforms.farol_reactiveBefore.value = before ?? picture.texture;
+    uniforms.farol_reactiveBefore.value = previous ?? picture.texture;
     uniforms.farol_isReactive.value[0] = now === null ? 0 : 1;
-    uniforms.farol_isReactive.value[1] = before === null ? 0 : 1;
+    uniforms.farol_isReactive.value[1] = previous === null ? 0 : 1;
     uniforms.farol_hasPast.value = !history.isEmpty;
     uniforms.farol_sizeBefore.value.copy(history.sizeBefore);
     uniforms.farol_encoded.value = picture.encoded;
@@ -243,11 +243,11 @@ export class TAA implements FarolEffect {
     // a moving camera sees new objects; changes among them are left to clipping
     const relit =
       history.lights.changed(frame.lights) ||
-      (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.looks));
-    history.looks = looks;
+      (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.materialHash));
+    history.materialHash = looks;
     // pixels of the former reactive mask begin anew among settled ones
     const { reactive } = history;
-    const covers = reactive.now !== null || reactive.before !== null;
+    const covers = reactive.now !== null || reactive.previous !== null;
     const resized = history.sizeBefore.x !== frame.width || history.sizeBefore.y !== frame.height;
     const changed = moved || relit || resized || motion.changed || covers || frame.shadowMapsDrawn > 0;
     history.sure = follows && relit ? 0 : history.sure + 1;

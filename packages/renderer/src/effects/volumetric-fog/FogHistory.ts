@@ -26,7 +26,7 @@ export class FogHistory {
   /** Lights of the last frame. */
   lightCount = 0;
   /** Sum over the settings of the last frame, by which changes are found. */
-  looks = 0;
+  settingsHash = 0;
   private readonly textures = [new FroxelTexture(), new FroxelTexture()];
 
   get bytes(): number {
@@ -34,12 +34,12 @@ export class FogHistory {
   }
 
   /** Froxels of the last frame. */
-  get before(): FroxelTexture {
+  get previous(): FroxelTexture {
     return this.textures[1 - (this.frame & 1)];
   }
 
   /** Froxels of this frame. */
-  get now(): FroxelTexture {
+  get current(): FroxelTexture {
     return this.textures[this.frame & 1];
   }
 

@@ -19,7 +19,7 @@ export class FrameClock {
   private passTimer: GpuTimer | null = null;
   private controller: BudgetController | null = null;
   private lead: WeakRef<Camera> | null = null;
-  private others = 0;
+  private otherCameraDraws = 0;
   /** Time at which the frame began (ms); -1 before the first. */
   private started = -1;
   private refreshes = 0;
@@ -45,7 +45,7 @@ export class FrameClock {
     this.controller = controller;
     const timer = passTimer ?? this.timer;
     timer.tag = this.frame;
-    timer.onTime = this.take;
+    timer.onTime = this.addTime;
     if (passTimer !== null) return;
     timer.poll();
     timer.begin('frame');
@@ -65,9 +65,9 @@ export class FrameClock {
 
   private leads(camera: Camera): boolean {
     const lead = this.lead?.deref();
-    if (lead !== camera && lead !== undefined && ++this.others < OTHERS) return false;
+    if (lead !== camera && lead !== undefined && ++this.otherCameraDraws < OTHERS) return false;
     if (lead !== camera) this.lead = new WeakRef(camera);
-    this.others = 0;
+    this.otherCameraDraws = 0;
     return true;
   }
 
@@ -96,7 +96,7 @@ export class FrameClock {
   };
 
   /** Adds up the times of a frame; they come in order. */
-  private readonly take = (frame: number, ms: number): void => {
+  private readonly addTime = (frame: number, ms: number): void => {
     this.silent = 0;
     if (frame !== this.summed) {
       if (this.summed >= 0) this.controller?.add(this.scales[this.summed], this.sum, 'gpu');

@@ -139,7 +139,7 @@ export class LearningFrames {
   dispose(): void {
     this.abandon();
     this.ownTimer?.dispose();
-    if (this.timer?.onTime === this.take) this.timer.onTime = null;
+    if (this.timer?.onTime === this.addTime) this.timer.onTime = null;
     this.ownTimer = this.timer = null;
   }
 
@@ -198,7 +198,7 @@ export class LearningFrames {
     const timer = this.timer!;
     this.measures = true;
     timer.tag = this.trial * 4 + this.stage;
-    timer.onTime = this.take;
+    timer.onTime = this.addTime;
     if (timer === this.ownTimer) timer.begin('learning');
   }
 
@@ -225,7 +225,7 @@ export class LearningFrames {
     this.waited = 0;
   }
 
-  private readonly take = (tag: number, ms: number): void => {
+  private readonly addTime = (tag: number, ms: number): void => {
     if (this.stage === IDLE || Math.floor(tag / 4) !== this.trial) return;
     const stage = tag % 4;
     if (stage < LAST) this.gpu[stage] += ms;

@@ -43,7 +43,7 @@ export class AtlasPlacement {
    * Gives the map its rectangle.
    * @throws Error when there is a region already
    */
-  take(region: Region, faceWidth: number, faceHeight: number, border: number): void {
+  place(region: Region, faceWidth: number, faceHeight: number, border: number): void {
     if (this.rectangle !== null) throw new Error('A shadow map has a region already: drop it before you take another.');
     this.rectangle = region;
     this.width = faceWidth;

@@ -152,7 +152,7 @@ export class TextureAtlas {
   private tryPlace(tenant: AtlasTenant, width: number, height: number): boolean {
     const region = this.packer.place(blockWidth(tenant, width), blockHeight(tenant, height));
     if (region === null) return false;
-    tenant.placement.take(region, width, height, tenant.isCube ? tenant.borderOf(width) : 0);
+    tenant.placement.place(region, width, height, tenant.isCube ? tenant.borderOf(width) : 0);
     tenant.map.place();
     tenant.placed?.();
     return true;

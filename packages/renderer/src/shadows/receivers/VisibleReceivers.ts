@@ -159,14 +159,14 @@ export class VisibleReceivers {
   private addBent({ x, y, z, radius }: typeof sphere): void {
     if (Number.isFinite(radius)) {
       setCube(x, y, z, radius);
-      if (boxOutsidePlanes(planes, own)) return;
+      if (boxOutsidePlanes(planes, objectBox)) return;
     }
     this.isUnbounded = true;
   }
 
   private addObject(object: Object3D): void {
-    if (casterBox(object, own)) {
-      this.addBox(own);
+    if (casterBox(object, objectBox)) {
+      this.addBox(objectBox);
       return;
     }
     findSphere(object, sphere);
@@ -179,7 +179,7 @@ export class VisibleReceivers {
       return;
     }
     setCube(x, y, z, SPHERES * radius);
-    this.addBox(own);
+    this.addBox(objectBox);
   }
 
   private addBox(box: Float64Array): void {
@@ -215,13 +215,13 @@ export class VisibleReceivers {
   }
 }
 
-const own = new Float64Array(6);
+const objectBox = new Float64Array(6);
 
 function setCube(x: number, y: number, z: number, radius: number): void {
-  own[0] = x;
-  own[1] = y;
-  own[2] = z;
-  own[3] = own[4] = own[5] = radius;
+  objectBox[0] = x;
+  objectBox[1] = y;
+  objectBox[2] = z;
+  objectBox[3] = objectBox[4] = objectBox[5] = radius;
 }
 
 /** Whether the page's own vertex shader may move an object's vertices. */
