@@ -179,9 +179,7 @@ function numericPart(
   return { ...made, unfinished };
 }
 
-/**
- * @param axis - coordinate of a vector or of Euler angles; none for a single number
- */
+/** @param axis - coordinate of a vector or of Euler angles; none for a single number */
 function numberPart(field: Field, id: string, label: string, axis?: number): FieldPart {
   const { toShown, fromShown, ...range } = numberDisplay(field);
   const text = (value: number | null, step?: number): string | null =>

@@ -53,9 +53,7 @@ export class Slices {
     }
   }
 
-  /**
-   * @returns number of rows that were drawn
-   */
+  /** @returns number of rows that were drawn */
   private drawSlice({ height, batches, draw }: SlicedWork, from: number, perRow: number): number {
     const begin = performance.now();
     const milliseconds = this.milliseconds / IN_FLIGHT;

@@ -21,9 +21,7 @@ import { AssetTable, sample } from './AssetTable';
 
 /** Options of the constructor of AssetLibrary. */
 export interface AssetLibraryOptions {
-  /**
-   * Addresses of new assets by name, their type told by the ending of the address.
-   */
+  /** Addresses of new assets by name, their type told by the ending of the address. */
   urls?: Readonly<Record<string, string>>;
   /** Reads the bytes of an address; `fetch` when absent. */
   fetchBytes?: FetchBytes;

@@ -15,9 +15,7 @@ export class MaskShaders {
   private neededFeatures = 0;
   private readonly originalChunk: MicroShader;
 
-  /**
-   * @param images - number of samplers for the textures that lights project
-   */
+  /** @param images - number of samplers for the textures that lights project */
   constructor(
     private readonly microshaders: MicroShaderRegistry,
     private readonly images: number,
