@@ -35,9 +35,10 @@ export class ComponentRegistry {
   /** Adds a type. @throws Error when it has no name, or the name is another class's */
   register(componentClass: ComponentClass): this {
     const { typeName } = componentClass;
-    if (!typeName) throw new Error(`The class ${componentClass.name} needs a static typeName.`);
+    if (!typeName) throw new Error(`The class ${componentClass.name} has no static typeName: give it one.`);
     const known = this.classes.get(typeName);
-    if (known && known !== componentClass) throw new Error(`There is a component '${typeName}': choose another name.`);
+    if (known && known !== componentClass)
+      throw new Error(`The component '${typeName}' exists already: choose another name.`);
     this.classes.set(typeName, componentClass);
     return this;
   }

@@ -174,7 +174,9 @@ export class GameObject implements GameObjectContainer {
    */
   remove(child: GameObject): this {
     if (child.container !== this)
-      throw new Error(`'${shortText(child.name)}' is not a child of '${shortText(this.name)}'.`);
+      throw new Error(
+        `'${shortText(child.name)}' is not a child of '${shortText(this.name)}': remove it from its own parent.`,
+      );
     moveGameObject(child, null, undefined, { keepWorld: false });
     return this;
   }
@@ -206,9 +208,13 @@ export class GameObject implements GameObjectContainer {
     const registry = this.scene?.registry ?? builtinComponents;
     const component = typeof type === 'string' ? registry.create(type) : typeof type === 'function' ? new type() : type;
     if (component.isAttached)
-      throw new Error(`This ${component.typeName} is on '${shortText(component.gameObject.name)}' already.`);
+      throw new Error(
+        `This ${component.typeName} is on '${shortText(component.gameObject.name)}' already: remove it there first.`,
+      );
     if (component.componentClass.unique && this.getComponent(component.typeName)) {
-      throw new Error(`'${shortText(this.name)}' has a ${component.typeName} already, and can have only one.`);
+      throw new Error(
+        `'${shortText(this.name)}' has a ${component.typeName} already: change that one, or remove it first.`,
+      );
     }
     for (const name of Object.keys(values)) component.set(name, values[name]);
     if (options.enabled === false) component.enabled = false;
@@ -225,8 +231,9 @@ export class GameObject implements GameObjectContainer {
   /** Removes a component, which may be added again or disposed of. @throws Error for the Transform or a stranger */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
-    if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
-    if (component === this.transform) throw new Error('The Transform cannot be removed.');
+    if (index < 0)
+      throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}': remove it from its own object.`);
+    if (component === this.transform) throw new Error('The Transform cannot be removed: remove the object.');
     this.scene?.componentLeaves(component);
     component.detach();
     this.componentList.splice(index, 1);
@@ -241,7 +248,10 @@ export class GameObject implements GameObjectContainer {
   /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
-    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved: it is the Transform, or elsewhere.`);
+    if (from < 1)
+      throw new Error(
+        `This ${component.typeName} cannot be moved: move one of this object's components other than the Transform.`,
+      );
     this.componentList.splice(from, 1);
     this.componentList.splice(Math.min(Math.max(index, 1), this.componentList.length), 0, component);
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });
@@ -278,7 +288,7 @@ export class GameObject implements GameObjectContainer {
    * @returns how many components received the call
    */
   callMethod(name: string, ...args: unknown[]): number {
-    if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: call another.`);
+    if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: call a method of a script.`);
     let receivers = 0;
     for (const component of [...this.componentList]) {
       const method = (component as unknown as Record<string, unknown>)[name];

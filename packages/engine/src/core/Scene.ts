@@ -137,7 +137,7 @@ export class Scene implements GameObjectContainer {
 
   set activeCamera(camera: CameraComponent | null) {
     if (camera && !this.index.cameras.has(camera))
-      throw new Error('The active camera must be in the scene: add it first.');
+      throw new Error('The active camera is not in the scene: add it first.');
     if (camera === this.currentCamera) return;
     this.currentCamera = camera;
     this.notify({ kind: 'active-camera' });
@@ -180,7 +180,7 @@ export class Scene implements GameObjectContainer {
   /** Takes an object out of the scene, wherever in the tree it is; it keeps its ids and may be added again. */
   remove(gameObject: GameObject): this {
     if (gameObject.scene !== this)
-      throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}'.`);
+      throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}': add it first.`);
     moveGameObject(gameObject, null, undefined, { keepWorld: false });
     return this;
   }

@@ -104,7 +104,9 @@ export function makeCollider(
   }
   const matrix = matrixInBody(object, body);
   if (!matrix.elements.every(Number.isFinite) || matrix.determinant() === 0) {
-    throw new Error(`The Collider of ${nameOf(object)} has no size: its object, or one above it, has a scale of 0.`);
+    throw new Error(
+      `The Collider of ${nameOf(object)} has no size, since its object, or one above it, has a scale of 0: set another.`,
+    );
   }
   const desc = makeColliderDesc(rapier, shape, matrix);
   if (!desc) {
@@ -162,7 +164,7 @@ export function makeCapsule(
   const radius = component.radius * across;
   if (!(radius > 0) || along === 0) {
     throw new Error(
-      `The CharacterController of ${nameOf(object)} has no size: its object, or one above it, has a scale of 0.`,
+      `The CharacterController of ${nameOf(object)} has no size, since its object, or one above it, has a scale of 0: set another.`,
     );
   }
   const half = Math.max((component.height * along) / 2 - radius, 0.001);

@@ -88,7 +88,10 @@ function valuesFor(
     try {
       values = type.migrate({ ...values }, version);
     } catch (error) {
-      console.error(`${type.typeName}: its migration to version ${type.version} failed.`, error);
+      console.error(
+        `${type.typeName}: its migration to version ${type.version} failed; mend its static migrate.`,
+        error,
+      );
     }
   }
   const fitting = Object.entries(values) as [string, FieldValue][];

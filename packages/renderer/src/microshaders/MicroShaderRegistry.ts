@@ -165,7 +165,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
    */
   replace(name: string, content: string | MicroShader): void {
     const chunk = typeof content === 'string' ? parseMicroShader(name, content) : completeMicroShader(content);
-    if (chunk.name !== name) throw new Error(`Microshader "${name}" cannot be replaced by one named "${chunk.name}".`);
+    if (chunk.name !== name)
+      throw new Error(`Microshader "${name}" cannot be replaced by one named "${chunk.name}"; give both one name.`);
     dependencyOrder([name], this);
     const before = this.edited.has(name) ? this.edited.get(name) : this.ownChunks.get(name);
     this.replaceChunk(name, chunk);
@@ -180,7 +181,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   remove(name: string): void {
     const before = this.swapped.get(name);
     if (!this.ownChunks.has(name) || (before && !this.edited.has(name)))
-      throw new Error(`Microshader "${name}" was not replaced; there is nothing to restore.`);
+      throw new Error(`Microshader "${name}" was not replaced; restore one that was.`);
     const user = before || this.original(name) ? undefined : this.usersOf(name).find((other) => other !== name);
     if (user) throw new Error(`Microshader "${name}" is included by "${user}"; change that one first.`);
     this.replaceChunk(name, before);

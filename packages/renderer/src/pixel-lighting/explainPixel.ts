@@ -53,7 +53,8 @@ export async function explainPixel(
 function check(farol: FarolRenderer, camera: Camera): TechniqueName {
   const { webgl, technique, info } = farol;
   const lacks = lacksFloatTargets(webgl);
-  if (lacks !== null) throw new Error(`explainPixel: this device ${lacks}, so light cannot be measured.`);
+  if (lacks !== null)
+    throw new Error(`explainPixel: this device ${lacks}, so light cannot be measured; use another device.`);
   if (webgl.xr.isPresenting) throw new Error('explainPixel: an XR session is presenting; end it first.');
   if ((camera as ArrayCamera).isArrayCamera === true)
     throw new Error('explainPixel: an ArrayCamera has several pictures; give one of its cameras and its size.');
@@ -142,7 +143,7 @@ class PixelWork {
 
   private throwIfOver(): void {
     this.options.signal?.throwIfAborted();
-    if (this.isLost) throw new Error('explainPixel: the context is lost; ask again when it is back.');
+    if (this.isLost) throw new Error('explainPixel: the WebGL context is lost; call it again once it is restored.');
   }
 
   /** Draws the whole picture, then finds anew what is to be turned off. */

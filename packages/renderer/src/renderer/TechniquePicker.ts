@@ -148,7 +148,7 @@ export class TechniquePicker {
       chooser.overdraw ??= new warmUpCode.required.Overdraw();
       chooser.overdraw.follow(frame);
     }
-    if (this.asked !== 'auto') return;
+    if (this.requested !== 'auto') return;
     if (chooser.next === null) {
       if (this.learns) this.learning?.warmUp(chooser, draws);
       return;

@@ -71,7 +71,7 @@ export class MaterialSurfaces implements WornSurfaces {
       const unknown = Object.keys(values).find((name) => !shown.uniforms.some((uniform) => uniform.name === name));
       if (unknown !== undefined)
         throw new Error(
-          `Surface "${shown.name}" has no uniform "${unknown}"; it declares ${shown.uniforms.map(({ name }) => name).join(', ') || 'none'}.`,
+          `Surface "${shown.name}" has no uniform "${unknown}"; give one of: ${shown.uniforms.map(({ name }) => name).join(', ') || 'none'}.`,
         );
       const before = this.known.get(shown);
       const isNew = !this.list.some(({ surface }) => surface === shown);

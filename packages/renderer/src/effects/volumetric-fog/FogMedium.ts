@@ -74,7 +74,7 @@ export class FogMedium {
 
   private warn(): void {
     if (!this.hasWarned)
-      console.warn(`Farol: more than ${MOST_VOLUMES} fog volumes are in view; the others are not drawn.`);
+      console.warn(`Farol: more than ${MOST_VOLUMES} fog volumes are in view, and the rest is not drawn; use fewer.`);
     this.hasWarned = true;
   }
 }

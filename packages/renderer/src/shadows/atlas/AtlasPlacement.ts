@@ -44,7 +44,7 @@ export class AtlasPlacement {
    * @throws Error when there is a region already
    */
   place(region: Region, faceWidth: number, faceHeight: number, border: number): void {
-    if (this.rectangle !== null) throw new Error('A shadow map has a region already: drop it before you take another.');
+    if (this.rectangle !== null) throw new Error('A shadow map has a region already: release it before you place it.');
     this.rectangle = region;
     this.width = faceWidth;
     this.height = faceHeight;
