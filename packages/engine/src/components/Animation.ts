@@ -97,7 +97,7 @@ export class Animation
    */
   play(name?: string, options: PlayOptions = {}): void {
     const { scene, system } = this;
-    if (!scene || !system) throw new Error('Animation.play: the object is in no scene; add it to one first.');
+    if (!scene || !system) throw new Error('Animation.play: its object is in no scene; add it first.');
     const { time } = scene;
     const clip = typeof name === 'string' && name !== '' ? this.find(name) : this.clip;
     this.hasStarted = true;

@@ -174,9 +174,7 @@ export class GameObject implements GameObjectContainer {
    */
   remove(child: GameObject): this {
     if (child.container !== this)
-      throw new Error(
-        `'${shortText(child.name)}' is not a child of '${shortText(this.name)}': remove it from its own parent.`,
-      );
+      throw new Error(`'${shortText(child.name)}' is not a child of '${shortText(this.name)}'.`);
     moveGameObject(child, null, undefined, { keepWorld: false });
     return this;
   }
@@ -208,9 +206,7 @@ export class GameObject implements GameObjectContainer {
     const registry = this.scene?.registry ?? builtinComponents;
     const component = typeof type === 'string' ? registry.create(type) : typeof type === 'function' ? new type() : type;
     if (component.isAttached)
-      throw new Error(
-        `This ${component.typeName} is on '${shortText(component.gameObject.name)}' already: remove it there first.`,
-      );
+      throw new Error(`This ${component.typeName} is on '${shortText(component.gameObject.name)}' already.`);
     if (component.componentClass.unique && this.getComponent(component.typeName)) {
       throw new Error(
         `'${shortText(this.name)}' has a ${component.typeName} already: change that one, or remove it first.`,
@@ -231,8 +227,7 @@ export class GameObject implements GameObjectContainer {
   /** Removes a component, which may be added again or disposed of. @throws Error for the Transform or a stranger */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
-    if (index < 0)
-      throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}': remove it from its own object.`);
+    if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
     if (component === this.transform) throw new Error('The Transform cannot be removed: remove the object.');
     this.scene?.componentLeaves(component);
     component.detach();
@@ -248,10 +243,7 @@ export class GameObject implements GameObjectContainer {
   /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
-    if (from < 1)
-      throw new Error(
-        `This ${component.typeName} cannot be moved: move one of this object's components other than the Transform.`,
-      );
+    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved: it is the Transform, or elsewhere.`);
     this.componentList.splice(from, 1);
     this.componentList.splice(Math.min(Math.max(index, 1), this.componentList.length), 0, component);
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });
@@ -288,7 +280,7 @@ export class GameObject implements GameObjectContainer {
    * @returns how many components received the call
    */
   callMethod(name: string, ...args: unknown[]): number {
-    if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: call a method of a script.`);
+    if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: call another.`);
     let receivers = 0;
     for (const component of [...this.componentList]) {
       const method = (component as unknown as Record<string, unknown>)[name];

@@ -52,7 +52,7 @@ export class WebGLShaderCompiler implements MicroShaderCompiler<WebGLProgram> {
     const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
     if (shader === null)
       throw new Error(
-        `Shader "${source.name}" cannot compile, since the WebGL context is lost; compile it once it is restored.`,
+        `Shader "${source.name}" cannot compile while the WebGL context is lost; wait until it is restored.`,
       );
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
