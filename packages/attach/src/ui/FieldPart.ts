@@ -39,10 +39,7 @@ export interface FieldPart {
    * @throws Error that says why it is no number
    */
   read(): PartUpdate | null | undefined;
-  /**
-   * Change of a number by a drag of its label; absent for controls of other kinds.
-   * @param steps - dragged so far
-   */
+  /** Change of a number by a drag of its label; absent for controls of other kinds. @param steps - dragged so far */
   readonly scrubbed?: (steps: number) => (before: number) => number;
   /** Reason that the control's text is no valid value; null when valid. */
   readonly unfinished?: () => string | null;

@@ -7,10 +7,7 @@ export interface SlicedWork {
   readonly height: number;
   readonly batches: number;
   draw(batch: number, rows: Rows): void;
-  /**
-   * Called after each slice.
-   * @param share - part of the work that is done, 0 to 1
-   */
+  /** Called after each slice. @param share - part of the work that is done, 0 to 1 */
   onSlice(share: number, batch: number): void;
 }
 

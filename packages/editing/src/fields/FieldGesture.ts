@@ -76,10 +76,7 @@ export class FieldGesture<Item = string> {
     return typeof this.name === 'string' ? this.name : this.name(currentOf(owner));
   }
 
-  /**
-   * Makes the command that sets the field on all owners.
-   * @throws Error when an owner does not allow its value
-   */
+  /** Makes the command that sets the field on all owners. @throws Error when an owner does not allow its value */
   private setTo<Value extends FieldValue>(update: FieldUpdate<Value>): SetFields {
     const edits = this.owners.map((owner, i) => {
       const name = this.nameOf(owner);

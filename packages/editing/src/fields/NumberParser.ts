@@ -44,10 +44,7 @@ export class NumberParser {
     this.tokens = tokensOf(text);
   }
 
-  /**
-   * Reads the whole expression.
-   * @throws NumberSyntaxError
-   */
+  /** Reads the whole expression. @throws NumberSyntaxError */
   read(): Quantity {
     const value = this.sum();
     const next = this.peek();

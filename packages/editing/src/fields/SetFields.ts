@@ -26,10 +26,7 @@ const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): 
 
 const set = ({ owner, name, value }: FieldEdit): void => currentOf(owner).set(name, value);
 
-/**
- * Sets all fields, or none when one value is refused.
- * @param before - values before the call, in the same order
- */
+/** Sets all fields, or none when one value is refused. @param before - values before the call, in the same order */
 function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void {
   let count = 0;
   try {

@@ -95,10 +95,7 @@ export abstract class Component extends FieldOwner {
     }
   }
 
-  /**
-   * The GameObject that the component is on.
-   * @throws Error when it is on none
-   */
+  /** The GameObject that the component is on. @throws Error when it is on none */
   get gameObject(): GameObject {
     if (!this.attachedObject) {
       throw new Error(`This ${this.typeName} is on no GameObject: add it with gameObject.addComponent.`);

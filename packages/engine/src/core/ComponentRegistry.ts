@@ -35,7 +35,7 @@ export class ComponentRegistry {
   /** Adds a type. @throws Error when it has no name, or the name is another class's */
   register(componentClass: ComponentClass): this {
     const { typeName } = componentClass;
-    if (!typeName) throw new Error(`The class ${componentClass.name} has no static typeName: give it one.`);
+    if (!typeName) throw new Error(`The class ${componentClass.name} needs a static typeName.`);
     const known = this.classes.get(typeName);
     if (known && known !== componentClass)
       throw new Error(`The component '${typeName}' exists already: choose another name.`);

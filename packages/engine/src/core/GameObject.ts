@@ -228,7 +228,7 @@ export class GameObject implements GameObjectContainer {
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
     if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
-    if (component === this.transform) throw new Error('The Transform cannot be removed: remove the object.');
+    if (component === this.transform) throw new Error('The Transform cannot be removed.');
     this.scene?.componentLeaves(component);
     component.detach();
     this.componentList.splice(index, 1);

@@ -253,7 +253,7 @@ export class PictureRenderer {
     // the eyes are drawn straight to the session's layer
     if (this.inXR) {
       if (has && !this.toldXR)
-        console.warn('Farol: bloom, grading, vignette and depth of field are not drawn in XR; switch them off.');
+        console.warn('Farol: bloom, grading, vignette and depth of field are not drawn in XR.');
       this.toldXR ||= Boolean(has);
       return null;
     }

@@ -57,10 +57,7 @@ export class MaterialSurfaces implements WornSurfaces {
     return this.set([...others.map((worn) => worn.surface), surface], surface, values);
   }
 
-  /**
-   * Makes surfaces with given values the material's.
-   * @returns the values of `shown`, with `values` set
-   */
+  /** Makes surfaces with given values the material's. @returns the values of `shown`, with `values` set */
   set(
     surfaces: readonly Surface[],
     shown: Surface | null,

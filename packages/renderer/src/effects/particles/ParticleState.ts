@@ -122,10 +122,7 @@ export class ParticleState {
     return this.particles![0].textures[1];
   }
 
-  /**
-   * Simulates the emitter's pending steps. Binds targets.
-   * @returns whether there were any
-   */
+  /** Simulates the emitter's pending steps. Binds targets. @returns whether there were any */
   simulate(frame: Frame, pass: ReturnType<typeof particleStepPass>): boolean {
     const { emitter } = this;
     const { pending } = emitter;

@@ -80,7 +80,7 @@ describe('parseMicroShaderXML', () => {
       inside('<microshader name="a">float b;</microshader>'),
       /test\.xml:2: text directly inside <microshader>: "float b;"/,
     ],
-    [inside('<microshader name="a"><main>]]></main></microshader>'), /test\.xml:2: "\]\]>" without/],
+    [inside('<microshader name="a"><main>]]></main></microshader>'), /test\.xml:2: "\]\]>" closes nothing/],
     [inside('<!-- a -- b -->'), /test\.xml:2: "<!-- a -- b -->" is not XML/],
   ])('refuses %j', (text, message) => {
     expect(() => parse(text)).toThrow(message);

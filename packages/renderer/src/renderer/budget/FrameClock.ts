@@ -34,10 +34,7 @@ export class FrameClock {
 
   constructor(private readonly gl: WebGL2RenderingContext) {}
 
-  /**
-   * Begins a draw.
-   * @param passTimer - times the passes already; null for none
-   */
+  /** Begins a draw. @param passTimer - times the passes already; null for none */
   begin(camera: Camera, controller: BudgetController, passTimer: GpuTimer | null): void {
     if (this.leads(camera)) this.beginFrame(controller);
     this.timer ??= new GpuTimer(this.gl);

@@ -99,10 +99,7 @@ export class BothEyes {
     return this.color === null ? 0 : 2 * BYTES * this.size.x * this.size.y;
   }
 
-  /**
-   * Binds the arrays, if device, session and scene allow for it.
-   * @returns whether they do
-   */
+  /** Binds the arrays, if device, session and scene allow for it. @returns whether they do */
   begin(scene: Object3D, eyes: ArrayCamera): boolean {
     const { webgl, camera } = this;
     const gl = webgl.getContext() as WebGL2RenderingContext;

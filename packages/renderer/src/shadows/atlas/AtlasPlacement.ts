@@ -39,10 +39,7 @@ export class AtlasPlacement {
     return this.halved;
   }
 
-  /**
-   * Gives the map its rectangle.
-   * @throws Error when there is a region already
-   */
+  /** Gives the map its rectangle. @throws Error when there is a region already */
   place(region: Region, faceWidth: number, faceHeight: number, border: number): void {
     if (this.rectangle !== null) throw new Error('A shadow map has a region already: release it before you place it.');
     this.rectangle = region;

@@ -49,10 +49,7 @@ export class VisibleReceivers {
   /** Whether a visible object that receives shadows has no bounds. */
   private isUnbounded = false;
 
-  /**
-   * Finds the boxes for a frame.
-   * @param merged - the merged casters, up to date
-   */
+  /** Finds the boxes for a frame. @param merged - the merged casters, up to date */
   find({ list, count, receivers }: ShadowCasters, merged: MergedCasters | null, camera: Camera): void {
     this.used = this.groupsUsed = this.objectsUsed = 0;
     this.isUnbounded = false;
@@ -193,10 +190,7 @@ export class VisibleReceivers {
     this.used += 6;
   }
 
-  /**
-   * Makes a group of the boxes from `first` on.
-   * @param round - box round those boxes, from index `from` on
-   */
+  /** Makes a group of the boxes from `first` on. @param round - box round those boxes, from index `from` on */
   private addGroup(first: number, round: Float64Array, from: number): void {
     if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
     copyBox(round, from, this.groups, this.groupsUsed);
