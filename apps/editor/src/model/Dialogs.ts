@@ -27,7 +27,7 @@ export interface ProblemsDialog {
   readonly listLabel?: string;
 }
 
-/** How far a long task is. */
+/** Progress of a long task. */
 export interface WorkProgress {
   /** Emits when the rest has changed. */
   readonly changed: Signal;
@@ -40,7 +40,7 @@ export interface WorkProgress {
 export interface ProgressDialog {
   readonly kind: 'progress';
   readonly title: string;
-  /** How far it is; absent when that is not known. */
+  /** Progress; absent when unknown. */
   readonly progress?: WorkProgress;
 }
 

@@ -14,7 +14,7 @@ const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).T
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const AgentBar = lazy(async () => ({ default: (await import('../agent/AgentBar')).AgentBar }));
 
-/** Dialogs that are told nothing, by their kinds. */
+/** Dialogs without properties, by kind. */
 const plain = {
   palette: lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette })),
   about: lazy(async () => ({ default: (await import('./AboutDialog')).AboutDialog })),
