@@ -52,6 +52,8 @@ export interface KeysDialog {
 /** Palette of all actions, found by typing. */
 export interface PaletteDialog {
   readonly kind: 'palette';
+  /** Text typed while the palette's code was fetched. */
+  typed?: string;
 }
 
 /** Unsaved scenes of tabs that were closed. */

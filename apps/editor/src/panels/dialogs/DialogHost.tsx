@@ -48,7 +48,18 @@ export function DialogHost(): ReactNode {
         <Dialog.Portal>
           <Dialog.Backdrop className="backdrop" />
           <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
-            <Suspense fallback={null}>
+            <Suspense
+              fallback={
+                current?.kind === 'palette' && (
+                  <input
+                    className="input"
+                    aria-label={t('Search commands')}
+                    ref={(input) => input?.focus()}
+                    onChange={({ target }) => (current.typed = target.value)}
+                  />
+                )
+              }
+            >
               {current && (
                 <>
                   <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />
