@@ -16,10 +16,7 @@ const focusNow = (input: HTMLInputElement | null): void => input?.focus();
 /** Palette of all actions, and objects of the scene, found by typing. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
-  const [query, setQuery] = useState(() => {
-    const { current } = editor.dialogs;
-    return (current?.kind === 'palette' && current.typed) || '';
-  });
+  const [query, setQuery] = useState(editor.dialogs.typed);
   const [chosen, setChosen] = useState(0);
   const list = useRef<HTMLUListElement>(null);
   const items = useMemo(() => paletteItems(editor), [editor]);
