@@ -14,7 +14,7 @@ const canvas = document.querySelector('canvas')!;
 const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', lightLayers: true });
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', lightLayers: true });
 
 const scene = new THREE.Scene();
 scene.background = new THREE.Color(0x06070a);
@@ -29,7 +29,7 @@ const glaze = new THREE.MeshStandardMaterial({ color: 0xc96a4a, roughness: 0.25 
 const brass = new THREE.MeshStandardMaterial({ color: 0xd0a050, roughness: 0.3, metalness: 0.8 });
 const box = new THREE.BoxGeometry(2, 0.1, 2);
 const wall = new THREE.BoxGeometry(2, 2.3, 0.1);
-const pot = new TeapotGeometry(0.36, 12);
+const pot = new TeapotGeometry(0.36, 8);
 const cone = new THREE.ConeGeometry(0.3, 0.9, 32);
 const ball = new THREE.SphereGeometry(0.24, 32, 20);
 
