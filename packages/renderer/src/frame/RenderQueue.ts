@@ -14,7 +14,7 @@ import { warnOfNaN } from './warnOfNaN';
 const center = new Vector3();
 
 /** three's default order of opaque items: by group, render order, material, then front to back. */
-function byState(a: RenderListItem, b: RenderListItem): number {
+export function byState(a: RenderListItem, b: RenderListItem): number {
   return (
     a.groupOrder - b.groupOrder ||
     a.renderOrder - b.renderOrder ||
@@ -24,6 +24,17 @@ function byState(a: RenderListItem, b: RenderListItem): number {
     a.id - b.id
   );
 }
+
+/**
+ * Front to back by octaves of depth, which spares shading of what is hidden; within an octave as `byState`, which spares
+ * changes of material.
+ */
+export function byOctave(a: RenderListItem, b: RenderListItem): number {
+  return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || octaveOf(a.z) - octaveOf(b.z) || byState(a, b);
+}
+
+/** Octave of a depth, from 1/1024 (m) on; 0 for what is nearer, or behind the camera. */
+const octaveOf = (z: number): number => 32 - Math.clz32(Math.max(0, z * 1024));
 
 /** three's default order of transparent items: by group, render order, then back to front. */
 function backToFront(a: RenderListItem, b: RenderListItem): number {
@@ -67,6 +78,8 @@ export class RenderQueue {
   covers = true;
   /** True if an opaque object may be so far away that its depth equals the cleared depth, see `watchFar`. */
   reachesFar = false;
+  /** Whether opaque items are sorted `byOctave`, unless the host has an order of its own or one must be drawn in three's. */
+  nearFirst = false;
   private camera!: Camera;
   /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
@@ -235,7 +248,7 @@ export class RenderQueue {
 
   /** @param reversed - whether the sorted lists are reversed, as three until 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
-    if (this.opaque.length > 1) this.opaque.sort(opaque ?? byState);
+    if (this.opaque.length > 1) this.opaque.sort(opaque ?? (this.nearFirst && !this.ordered ? byOctave : byState));
     if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);
     if (this.transparent.length > 1) this.transparent.sort(transparent ?? backToFront);
     if (!reversed) return;

@@ -65,6 +65,7 @@ export class SceneDraws {
     picker.passTimer = this.recorder.passTimer;
     this.sceneView = sceneView;
     sceneView.seenBy = this.frame.seenBy;
+    this.frame.queue.nearFirst = sceneView.chooser.overdraw?.nearFirst ?? false;
     this.effects = effects;
     this.frame.adapters = this.frame.session?.adapters ?? effects.adapters;
     this.frame.gbufferExtras = effects.attachments;

@@ -144,11 +144,11 @@ export class TechniquePicker {
 
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
-    if (this.asked !== 'auto') return;
-    if (chooser.settled && frame.session === null && warmUpCode.isThere) {
+    if ((chooser.settled || this.asked !== 'auto' || frame.session !== null) && warmUpCode.isThere) {
       chooser.overdraw ??= new warmUpCode.required.Overdraw();
       chooser.overdraw.follow(frame);
     }
+    if (this.asked !== 'auto') return;
     if (chooser.next === null) {
       if (this.learns) this.learning?.warmUp(chooser, draws);
       return;

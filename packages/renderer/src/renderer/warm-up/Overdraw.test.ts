@@ -25,12 +25,21 @@ function quad(depth: number, size = 1000, x = 0): Mesh {
   return mesh;
 }
 
-const item = (object: Mesh, route: RenderItem['route'] = 'split'): RenderItem =>
-  ({ object, geometry: object.geometry, group: null, route }) as unknown as RenderItem;
+const order = { groupOrder: 0, renderOrder: 0, materialVariant: 0, id: 0 };
+const item = (object: Mesh, route: RenderItem['route'] = 'split'): RenderItem => {
+  const { geometry, material, position } = object;
+  return { ...order, object, geometry, material, z: -position.z, group: null, route } as unknown as RenderItem;
+};
 
-function estimate(items: readonly RenderItem[], by: Camera = camera): Overdraw {
+/** A frame of 100 × 100 pixels. */
+const frameOf = (opaque: readonly RenderItem[], by: Camera = camera, nearFirst = false) => ({
+  ...{ camera: by, width: 100, height: 100 },
+  queue: { opaque, nearFirst },
+});
+
+function estimate(items: readonly RenderItem[], by?: Camera, nearFirst?: boolean): Overdraw {
   const overdraw = new Overdraw();
-  overdraw.follow({ camera: by, queue: { opaque: items } });
+  overdraw.follow(frameOf(items, by, nearFirst));
   return overdraw;
 }
 
@@ -73,7 +82,7 @@ it('takes a box that reaches behind the camera to cover the picture', () => {
 it('is made anew every 32 frames, half of it from the one before, and for no more than 1,000 items', () => {
   const overdraw = new Overdraw();
   const follow = (items: readonly RenderItem[], frames: number) => {
-    for (let i = 0; i < frames; i++) overdraw.follow({ camera, queue: { opaque: items } });
+    for (let i = 0; i < frames; i++) overdraw.follow(frameOf(items));
     return overdraw.layers;
   };
   const layers = depths.map((depth) => item(quad(depth)));
@@ -81,4 +90,20 @@ it('is made anew every 32 frames, half of it from the one before, and for no mor
   expect(follow([], 31)).toBe(15);
   expect(follow([], 1)).toBe(7.5);
   expect(estimate(Array.from({ length: 1001 }, (_, i) => layers[i % 16])).layers).toBe(0);
+});
+
+it('finds whether drawing front to back spares more than its changes of material cost', () => {
+  const [first, second] = [new MeshStandardMaterial(), new MeshStandardMaterial()];
+  const layer = (depth: number, by: MeshStandardMaterial) => Object.assign(item(quad(depth)), { material: by });
+  const [near, middle, far] = [layer(3, second), layer(6, first), layer(12, second)];
+  // front to back: two changes of material in place of one, a layer hidden in place of drawn: 10,000 pixels of 4,000
+  const asThree = [middle, near, far];
+  expect(estimate(asThree)).toMatchObject({ layers: 1, nearFirst: true });
+  expect(estimate([near, middle, far], camera, true), 'once it is done').toMatchObject({ layers: 0, nearFirst: true });
+  expect(estimate([near, far], camera), 'one material').toMatchObject({ nearFirst: false });
+  const small = new Overdraw();
+  small.follow({ ...frameOf(asThree), width: 30 });
+  expect(small.nearFirst, 'few pixels').toBe(false);
+  const many = Array.from({ length: 1001 }, (_, i) => layer(3 * 2 ** (i % 3), i % 2 ? first : second));
+  expect(estimate(many).nearFirst, 'many items').toBe(false);
 });
