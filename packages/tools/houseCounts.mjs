@@ -10,7 +10,7 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 40,
-  lines: 189_493,
+  lines: 189_638,
 };
 
 /** First words by which a docblock hides its noun. */

@@ -252,8 +252,7 @@ export class PictureRenderer {
     const has = this.showsEffects && (bloom || grading || vignette || look.depthOfField);
     // the eyes are drawn straight to the session's layer
     if (this.inXR) {
-      if (has && !this.toldXR)
-        console.warn('Farol: bloom, grading, vignette and depth of field are not drawn in XR.');
+      if (has && !this.toldXR) console.warn('Farol: bloom, grading, vignette and depth of field are not drawn in XR.');
       this.toldXR ||= Boolean(has);
       return null;
     }

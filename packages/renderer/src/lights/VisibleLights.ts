@@ -66,8 +66,7 @@ export class VisibleLights {
     this.clear(lights);
     // layers are a mask
     const read = settings.layers === null ? points : null;
-    const from = read ?? this.reserveOwn(lights.length);
-    if (read === null) this.readPoints(lights, from, settings);
+    const from = read ?? this.readPoints(lights, settings);
     for (let i = this.addPoints(lights, from, 0); i < lights.length; i = this.addPoints(lights, from, i + 1))
       if (facts.classify(lights[i], settings)) this.addByClass(lights[i]);
     if (this.boundeds.length > this.kept) this.boundeds.length = this.kept;
@@ -129,13 +128,16 @@ export class VisibleLights {
     ambient[9 + c] += slope * up.z;
   }
 
-  private readPoints(lights: readonly Light[], to: PlainPoints, { layers }: MaskSettings): void {
+  private readPoints(lights: readonly Light[], { layers }: MaskSettings): PlainPoints {
+    if (this.ownPoints.length < lights.length * POINT) this.ownPoints = new Float64Array(lights.length * 2 * POINT);
+    const { ownPoints } = this;
     let fetched = 0;
     for (let i = 0; i < lights.length; i++) {
       if (i === fetched) fetched = fetching.reader?.fetchEmissions(lights, i) ?? lights.length;
-      if (layers?.separates(lights[i]) === true) to[i * POINT + 7] = NaN;
-      else readPoint(lights[i], to, i * POINT);
+      if (layers?.separates(lights[i]) === true) ownPoints[i * POINT + 7] = NaN;
+      else readPoint(lights[i], ownPoints, i * POINT);
     }
+    return ownPoints;
   }
 
   /**
