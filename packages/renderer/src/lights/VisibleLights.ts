@@ -85,18 +85,6 @@ export class VisibleLights {
     this.emissions = new Float64Array(lights.length * 8);
   }
 
-  private addMasked(light: Light): void {
-    this.masked.push(light);
-    this.hasImages ||= hasCookie(light);
-    this.hasNormalBias ||= light.castShadow && ((light as PointLight).shadow?.normalBias ?? 0) !== 0;
-  }
-
-  /** @returns `ownPoints`, with room for a number of lights */
-  private reserveOwn(count: number): PlainPoints {
-    if (this.ownPoints.length < count * POINT) this.ownPoints = new Float64Array(count * 2 * POINT);
-    return this.ownPoints;
-  }
-
   private addField(light: LightFieldData): void {
     this.fields.push(light);
     this.singles--;
@@ -215,7 +203,11 @@ export class VisibleLights {
     } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
     else if (kind === 'field') this.addField(light as LightFieldData);
     else (kind === 'directional' ? this.directionals : this.unboundeds).push(light as DirectionalLight);
-    if (isMasked) this.addMasked(light);
+    if (isMasked) {
+      this.masked.push(light);
+      this.hasImages ||= hasCookie(light);
+      this.hasNormalBias ||= light.castShadow && ((light as PointLight).shadow?.normalBias ?? 0) !== 0;
+    }
     if (kind === 'area') this.hasAreas = true;
     this.visible++;
   }
