@@ -125,7 +125,7 @@ const stateOf = (page: Page): Promise<object> =>
       plugins: plugins.list.map(({ name }) => name),
       shown: [dialogs.current, notices.current, tools.current, tour.current, log.entries],
       clipboard: clipboard.text,
-      fields: document.querySelector<HTMLInputElement>('.inspector .search')?.value,
+      fields: document.querySelector<HTMLInputElement>('.inspector .search')?.value ?? '',
       storage: Object.keys(localStorage).filter((key) => !key.startsWith('farol-editor')),
       viewport: names.map((name) => viewport[name]),
       document: { ...document.documentElement.dataset, language: document.documentElement.lang },

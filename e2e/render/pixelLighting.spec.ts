@@ -90,7 +90,7 @@ test('of many lights the brightest are told apart, the others are one share; wor
     const { scene, camera } = scenes.layered(bench);
     bench.byTechnique('deferred', scene, camera);
     const at = { x: -0.1, y: -0.7 };
-    const few = await explainPixel(bench.farol, scene, camera, at, { most: 2 });
+    const few = await explainPixel(bench.farol, scene, camera, at, { maxLights: 2 });
     const whole = await explainPixel(bench.farol, scene, camera, at);
     const control = new AbortController();
     const progress: number[] = [];
@@ -132,12 +132,12 @@ test('what cannot be explained says why @verify', async ({ benchPage: page }) =>
       await tell(explainPixel(farol, scene, camera, { x: 0, y: 0 })),
       await tell(explainPixel(farol, scene, new three.ArrayCamera(), { x: 0, y: 0 })),
       await tell(explainPixel(farol, scene, camera, { x: 1.5, y: 0 })),
-      await tell(explainPixel(farol, scene, camera, { x: 0, y: 0 }, { most: 0 })),
+      await tell(explainPixel(farol, scene, camera, { x: 0, y: 0 }, { maxLights: 0 })),
     ];
     return cases;
   });
   expect(messages[0]).toContain('draw a frame first');
   expect(messages[1]).toContain('ArrayCamera');
   expect(messages[2]).toContain('from -1 to 1');
-  expect(messages[3]).toContain('most is 0');
+  expect(messages[3]).toContain('maxLights is 0');
 });

@@ -1,4 +1,5 @@
 import { test } from '@playwright/test';
+import type { ChangesFault } from '../pages/chance/runChanges';
 import type { ChanceFault, ChanceResult } from '../pages/chance/runScenes';
 import { recordComparison } from './comparison';
 
@@ -35,6 +36,23 @@ export function recordScenes(result: ChanceResult, excused: (seed: number, techn
   const notes = test.info().annotations;
   for (const fault of result.faults) notes.push({ type: CHANCE, description: JSON.stringify(fault) });
   for (const { seed, why } of result.unseen) notes.push({ type: CHANCE, description: JSON.stringify({ seed, why }) });
+}
+
+/** Leaves faults of scenes that change in the report of the running test. */
+export function recordChanges(faults: readonly ChangesFault[]): void {
+  for (const { seed, technique, fault, changes, isLeftOver } of faults) {
+    const names = new Set(changes.map((change) => change.split(' ')[1]));
+    const kind = `changes${isLeftOver ? ' from frame to frame' : ''}: ${[...names].toSorted().join(', ')}`;
+    const description = JSON.stringify({
+      seed,
+      techniques: [technique],
+      fault,
+      facts: changes,
+      kind,
+      isLeftOver: false,
+    });
+    test.info().annotations.push({ type: CHANCE, description });
+  }
 }
 
 /** Faults and scenes that said nothing, by kind, as lines to print: the most frequent first. */

@@ -46,9 +46,11 @@ test('a message within another, and one of two, are put into Spanish; what nobod
     "No se pudo cargar el recurso 'Props/robot.glb': el archivo está vacío: hay que elegirlo de nuevo.",
   );
   expect(
-    ofEngine('Collider de Suelo: The Collider of Suelo has no size: its object, or one above it, has a scale of 0.'),
+    ofEngine(
+      'Collider de Suelo: The Collider of Suelo has no size, since its object, or one above it, has a scale of 0: set another.',
+    ),
   ).toBe(
-    'Collider de Suelo: El Collider de Suelo no tiene tamaño: su objeto, o uno que lo contiene, tiene una escala de 0.',
+    'Collider de Suelo: El Collider de Suelo no tiene tamaño: su objeto, o uno que lo contiene, tiene una escala de 0. Hay que poner otra.',
   );
   expect(
     ofEngine('Wave.ts, line 3: it exports no class: write `export default class … extends component({ … })`.'),

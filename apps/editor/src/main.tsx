@@ -45,7 +45,7 @@ function start(problem: Error | null): void {
   const saysScene = isLink(location.hash) || parameters.has('scene');
   const welcomeChoice =
     parameters.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
-  const offer = welcomeUser(editor, welcomeChoice === 'yes');
+  const offer = welcomeUser(editor, welcomeChoice === 'yes', () => import('./panels/welcome/Welcome'));
   const openLink = async (): Promise<void> => {
     const { decodeLink } = await import('./files/share/linkText');
     const text = await decodeLink(location.hash, editor.mayUnpack);

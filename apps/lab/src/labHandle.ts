@@ -16,7 +16,7 @@ import { runPlan } from './run/runPlan';
 
 /** Options of a run started from outside of the page. */
 export interface HandleOptions {
-  /** Command that makes the run, for its surroundings. */
+  /** Command line that started the run, saved in `surroundings` of its JSON. */
   readonly command?: string | null;
   /** Versions in addition to those of the page, such as that of the build under `against/`. */
   readonly versions?: Readonly<Record<string, string>>;

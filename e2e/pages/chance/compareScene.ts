@@ -74,7 +74,7 @@ function imageOf(bytes: Uint8Array, width: number, height: number): PageImage {
   return { width, height, data };
 }
 
-function readCanvas(webgl: THREE.WebGLRenderer): PageImage {
+export function readCanvas(webgl: THREE.WebGLRenderer): PageImage {
   const gl = webgl.getContext();
   const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
   const bytes = new Uint8Array(width * height * 4);
@@ -122,7 +122,7 @@ class Output {
 }
 
 /** Runs something, and keeps from the console what it says there. */
-function listen<T>(run: () => T): { result: T | null; said: string[] } {
+export function listen<T>(run: () => T): { result: T | null; said: string[] } {
   const said: string[] = [];
   const { warn, error } = console;
   console.warn = console.error = (...words: unknown[]) => void said.push(words.map(String).join(' ').slice(0, 300));

@@ -5,6 +5,7 @@ import { compareScene, compared, forgetScenes, type SceneResult } from './compar
 import { kindOf, namesOf } from './kindOf';
 import { leaveOut } from './leftOut';
 import type { SceneFacts } from './SceneFacts';
+import { runChanges } from './runChanges';
 import { shrink } from './shrink';
 
 /** A scene that a technique draws otherwise than stock three. */
@@ -113,4 +114,4 @@ export function runScenes(seeds: readonly number[], options: ChanceOptions = {})
   return result;
 }
 
-export { chooseScene, compared, compareScene, DECK, forgetScenes };
+export { chooseScene, compared, compareScene, DECK, forgetScenes, runChanges };

@@ -151,6 +151,10 @@ export const settings: Record<string, Setting> = {
       scene.environmentRotation.set(0.4, 1, 0);
     },
   },
+  'environment without a mapping': {
+    inVerify: true,
+    prepare: ({ scene }) => (scene.environment = new THREE.Texture()),
+  },
   'rectangle light and probe': {
     prepare({ scene }) {
       RectAreaLightUniformsLib.init();

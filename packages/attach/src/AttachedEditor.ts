@@ -15,7 +15,7 @@ import { Pointer } from './viewport/Pointer';
 import { RenderHook } from './viewport/RenderHook';
 import { SelectionBox } from './viewport/SelectionBox';
 
-/** How often values and figures on the panels are brought up to date (ms). */
+/** Interval at which values and figures of panels are refreshed (ms). */
 const REFRESH = 200;
 
 const attached = new WeakSet<WebGLRenderer>();

@@ -7,7 +7,7 @@ import type { BakeProgress } from './BakeProgress';
  */
 export type Sky = 'none' | 'environment' | ColorRepresentation | Texture;
 
-/** Options of both lightmaps and probes. */
+/** Options that lightmaps and light probes share. */
 export interface TraceOptions {
   /** Times that light is reflected before it arrives, 0 (direct light only) to 16. Default 3. */
   bounces?: number;

@@ -11,9 +11,7 @@ export class Progress {
 
   constructor(private readonly tell: ((progress: BakeProgress) => void) | undefined) {}
 
-  /**
-   * @param done - share of the stage that is done, 0 to 1
-   */
+  /** @param done - share of the stage that is done, 0 to 1 */
   report(stage: BakeProgress['stage'], done: number, samples = 0): void {
     const now = performance.now();
     if (stage === 'tracing' && this.begun === 0) this.begun = now;

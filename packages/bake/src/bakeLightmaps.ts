@@ -112,9 +112,7 @@ async function bake(renderer: WebGLRenderer, scene: Scene, checked: CheckedBakeO
 /** Converts irradiance to a half float; values beyond the largest half float are limited, not infinite. */
 const toHalf = (value: number): number => DataUtils.toHalfFloat(Math.min(value, 65504));
 
-/**
- * @param count - number of lightmaps that are kept
- */
+/** @param count - number of lightmaps that are kept */
 async function trace(
   renderer: WebGLRenderer,
   scene: Scene,

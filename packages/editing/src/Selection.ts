@@ -22,7 +22,7 @@ export class Selection<Item> {
     return this.members.has(item);
   }
 
-  /** Selects these items and no others. */
+  /** Replaces the selection. */
   set(items: readonly Item[]): void {
     const members = new Set(items);
     const next = [...members];

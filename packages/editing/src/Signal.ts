@@ -7,7 +7,7 @@
 export class Signal<Details extends readonly unknown[] = []> {
   private readonly listeners = new Set<(...details: Details) => void>();
   /** `listeners` as an array, which a change while they are told leaves alone; null when they have changed since. */
-  private told: readonly ((...details: Details) => void)[] | null = null;
+  private snapshot: readonly ((...details: Details) => void)[] | null = null;
   private changes = 0;
 
   /** Number of times that the signal was emitted. */
@@ -18,16 +18,16 @@ export class Signal<Details extends readonly unknown[] = []> {
   /** Counts a change and tells the listeners. */
   readonly emit = (...details: Details): void => {
     this.changes++;
-    const told = (this.told ??= [...this.listeners]);
+    const told = (this.snapshot ??= [...this.listeners]);
     for (let i = 0; i < told.length; i++) told[i](...details);
   };
 
   /** Calls `listener` after each change. @returns a function that removes the listener */
   readonly subscribe = (listener: (...details: Details) => void): (() => void) => {
     this.listeners.add(listener);
-    this.told = null;
+    this.snapshot = null;
     return () => {
-      this.told = null;
+      this.snapshot = null;
       this.listeners.delete(listener);
     };
   };

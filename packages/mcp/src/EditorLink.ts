@@ -17,7 +17,7 @@ export interface Answer {
 /** Longest time that a call may take (ms). */
 const PATIENCE = 120_000;
 
-/** Bytes of the largest answer: a scene as text. */
+/** Maximum size of an answer (bytes): a scene as text. */
 const MOST_BYTES = 64e6;
 
 const NOT_ALLOWED =

@@ -42,7 +42,7 @@ interface LibraryEntry {
   readonly label: string;
   /** Name of the group's submenu. */
   readonly folder: string;
-  /** Adds it, as `addCreation` does. */
+  /** Adds the entry's object or component, as `addCreation` does. */
   run(editor: EditorApi, parent?: GameObject | null, at?: PagePoint): Promise<void>;
 }
 

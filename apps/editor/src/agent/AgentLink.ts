@@ -8,7 +8,7 @@ import { runTool } from './runTool';
 /** Maximum number of calls that wait for their turn; more are refused. */
 const MOST_WAITING = 32;
 
-/** Letters of a client's name that are shown. */
+/** Maximum length of a client's name as shown. */
 const NAME = 40;
 
 type RelayMessage =
@@ -57,7 +57,7 @@ export class AgentLink {
     return this.isEnded;
   }
 
-  /** Ends it for good: calls that wait are not run. */
+  /** Closes the connection; waiting calls are not run. */
   end(): void {
     if (this.isEnded) return;
     this.isEnded = true;

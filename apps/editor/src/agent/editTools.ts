@@ -7,7 +7,7 @@ import { readableText } from '../model/readableText';
 import { prepareEdit, type PreparedEdit } from './editCommands';
 import { pathOf } from './findObjects';
 
-/** Objects that an answer lists. */
+/** Maximum number of objects in an answer. */
 const MOST_LISTED = 60;
 
 /** Name of the step in the history. */

@@ -169,6 +169,6 @@ export function getMessages(
   };
 }
 
-/** A dialog in a word or a sentence. */
+/** Title of a dialog, else its kind. */
 export const dialogOf = (request: object & { kind: string }): string =>
   'title' in request ? String(request.title) : request.kind;

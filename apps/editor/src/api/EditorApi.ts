@@ -80,7 +80,7 @@ export interface EditorApi {
   readonly tour: Tour;
   /** Whether unsaved changes are being stored. */
   readonly drafts: Drafts;
-  /** How many other devices look at the scene, as text; empty unless it is open to them. */
+  /** Number of other devices that show the scene, as text; empty unless the scene is shared. */
   readonly phones: { text: string; readonly changed: Signal };
 
   /** Registry of the commands that the user can run. */

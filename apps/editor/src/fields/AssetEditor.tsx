@@ -1,13 +1,14 @@
 import { t } from '@farol/editing';
 import type { AssetLibrary } from '@farol/engine';
 import { type AssetField, type MaterialMap, materialMaps } from '@farol/engine/fields';
-import { type ReactNode, useMemo, useState } from 'react';
+import { type ReactNode, useMemo } from 'react';
 import { assetEntries, type AssetEntry, holdsNormals } from '../files/assetKinds';
 import { draggedAsset, isAssetDrag } from '../files/dragAsset';
 import { useEditor, useSignal } from '../ui/EditorContext';
 import { LatePolarCurve } from '../ui/lateAssetParts';
 import { type SearchOption, SearchSelect } from '../ui/SearchSelect';
 import { Thumbnail } from '../ui/Thumbnail';
+import { useDropTarget } from '../ui/useDropTarget';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 interface AssetOption extends SearchOption {
@@ -55,7 +56,6 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
   const revision = useSignal(document.assetsChanged);
   const { scene, assets } = document;
   const { assetType } = field;
-  const [isOver, setIsOver] = useState(false);
   const options = useMemo((): AssetOption[] => {
     const normals = assetType === 'texture' ? isForNormals(name) : null;
     const rank = ({ entry }: AssetOption): number => rankOf(assets, entry, normals);
@@ -70,28 +70,19 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
     const { entry } = option as Partial<AssetOption>;
     return entry && <Thumbnail entry={entry} size={14} />;
   };
+  const target = useDropTarget(
+    (dragged) => !disabled && isAssetDrag(dragged, assetType),
+    (data) => {
+      const asset = draggedAsset(data);
+      if (asset?.kind !== assetType) return;
+      editor.attempt(async () => {
+        if (!assets.isReady(asset.kind as typeof assetType, asset.name)) await assets.load(asset.name);
+        onCommit(asset.name);
+      });
+    },
+  );
   return (
-    <div
-      className="asset-slot"
-      data-drop={isOver}
-      onDragOver={(event) => {
-        if (disabled || !isAssetDrag(event.dataTransfer, assetType)) return;
-        event.preventDefault();
-        event.dataTransfer.dropEffect = 'copy';
-        setIsOver(true);
-      }}
-      onDragLeave={() => setIsOver(false)}
-      onDrop={(event) => {
-        setIsOver(false);
-        const asset = draggedAsset(event.dataTransfer);
-        if (disabled || asset?.kind !== assetType) return;
-        event.preventDefault();
-        editor.attempt(async () => {
-          if (!assets.isReady(asset.kind as typeof assetType, asset.name)) await assets.load(asset.name);
-          onCommit(asset.name);
-        });
-      }}
-    >
+    <div className="asset-slot" {...target}>
       <SearchSelect {...{ value, options, label, description, disabled, placeholder, pictureOf }} onChange={onCommit} />
       {assetType === 'profile' && value !== null && <LatePolarCurve name={value} />}
     </div>

@@ -1,6 +1,7 @@
 import { formatCount, shortText, t } from '@farol/editing';
 import type { FileProblem, ForeignAddress } from '@farol/engine/files';
 import type { Dialogs } from '../model/Dialogs';
+import { firstNames } from './firstNames';
 
 /** Number of hosts listed, and of assets listed for each. */
 const LISTED = 4;
@@ -15,9 +16,7 @@ function wants(addresses: readonly ForeignAddress[]): FileProblem[] {
     else byOrigin.set(origin, [asset]);
   }
   const listed = [...byOrigin].slice(0, HOSTS).map(([origin, list]): FileProblem => {
-    const names = list.slice(0, LISTED).map((name) => shortText(name));
-    const more = list.length > LISTED ? t(' and {count} more', { count: formatCount(list.length - LISTED) }) : '';
-    return { path: shortText(origin, 120), problem: `${names.join(', ')}${more}` };
+    return { path: shortText(origin, 120), problem: firstNames(list, LISTED) };
   });
   const count = byOrigin.size - listed.length;
   return count > 0

@@ -150,3 +150,12 @@ test('nothing to import is told, and so is what was left out', async () => {
   // unrelated files in a folder with models are ignored silently
   expect(await saidOf({ 'rock/a.ply': ply, 'rock/license.txt': 'x' })).toEqual([]);
 });
+
+test('of many files that are left out the first ones are named, and the others counted', async () => {
+  const { editor, notices } = editorOf();
+  const texts = Array.from({ length: 12 }, (_, i): [string, File] => [`note${i}.txt`, new File(['x'], `note${i}.txt`)]);
+  await importFiles(editor, new Map([...filesOf('triangle.ply'), ...texts]));
+  expect(notices.current.map(({ text }) => text)).toEqual([
+    expect.stringMatching(/^note0\.txt, .*note7\.txt and 4 more cannot be imported/),
+  ]);
+});

@@ -12,6 +12,7 @@ import {
 } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { KnownFiles } from './knownAs';
+import { firstNames } from './firstNames';
 import { withProgress } from './withProgress';
 import { numberedNames } from '../model/assetNames';
 import { AddAssets } from '../model/commands/AddAssets';
@@ -22,6 +23,9 @@ const importable = readableEndings.replace('.gltf,', '.gltf, .fbx, .obj, .stl, .
 
 /** Whether a file can be imported by itself, judging by its extension. */
 export const isImportable = (path: string): boolean => typeOfUrl(path) !== null || /\.(fbx|obj|stl|zip)$/i.test(path);
+
+/** Most files that a message names. */
+const LISTED = 8;
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
@@ -128,7 +132,7 @@ export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportRe
 export async function importOnly(editor: EditorApi, files: FileMap): Promise<void> {
   const { known } = await importFiles(editor, files);
   if (known.length === 0) return;
-  const names = [...new Set(known)].slice(0, 4).map(shortPath).join(', ');
+  const names = firstNames([...new Set(known)], LISTED);
   editor.notices.show('info', t('There already, with the same content: {names}.', { names }));
 }
 
@@ -242,7 +246,7 @@ async function importAll(
   if (unknown.length > 0 && names.length + problems.length === 0) {
     throw new Error(
       t('{names} cannot be imported: only {importable} can.', {
-        names: unknown.slice(0, 4).map(shortPath).join(', '),
+        names: firstNames(unknown, LISTED),
         importable,
       }),
     );
@@ -252,7 +256,7 @@ async function importAll(
   if (leftOut.length > 0)
     notes.push(
       t('{names} cannot be imported: only {importable} can.', {
-        names: leftOut.slice(0, 4).map(shortPath).join(', '),
+        names: firstNames(leftOut, LISTED),
         importable,
       }),
     );

@@ -23,7 +23,7 @@ function isOurs(event: DragEvent): event is DragEvent & { readonly dataTransfer:
 
 /**
  * Handles drops of files and of assets on the page: into the viewport, below an object of the tree, or elsewhere, where
- * files are only imported. Drops on fields are handled by these.
+ * files are only imported. Fields handle drops on themselves.
  */
 export function watchDrops(editor: EditorApi): void {
   /** While a dialog is open, file drops are ignored, and the browser is kept from navigating to the file. */

@@ -34,7 +34,7 @@ export interface ConsoleEntry {
   readonly place?: ConsolePlace;
 }
 
-/** Messages kept; beyond this the oldest are dropped. */
+/** Maximum number of messages kept; the oldest are dropped. */
 const LIMIT = 500;
 
 /** Messages logged since the page was opened. A repeated message is one entry with a count. */

@@ -27,7 +27,7 @@ export interface ProblemsDialog {
   readonly listLabel?: string;
 }
 
-/** How far a long task is. */
+/** Progress of a long task. */
 export interface WorkProgress {
   /** Emits when the rest has changed. */
   readonly changed: Signal;
@@ -40,18 +40,13 @@ export interface WorkProgress {
 export interface ProgressDialog {
   readonly kind: 'progress';
   readonly title: string;
-  /** How far it is; absent when that is not known. */
+  /** Progress; absent when unknown. */
   readonly progress?: WorkProgress;
 }
 
-/** Lists the keyboard shortcuts. */
-export interface KeysDialog {
-  readonly kind: 'keys';
-}
-
-/** Palette of all actions, found by typing. */
-export interface PaletteDialog {
-  readonly kind: 'palette';
+/** A dialog that is told nothing: what it shows is the editor's. */
+export interface PlainDialog {
+  readonly kind: 'about' | 'agent' | 'export' | 'film' | 'keys' | 'palette' | 'phone' | 'picture';
 }
 
 /** Unsaved scenes of tabs that were closed. */
@@ -75,36 +70,6 @@ export interface WelcomeDialog {
   readonly recovery: RecoveryOffer | null;
 }
 
-/** Tells about the editor: version, licence. */
-export interface AboutDialog {
-  readonly kind: 'about';
-}
-
-/** Lists the formats that a scene can be exported to. */
-export interface ExportDialog {
-  readonly kind: 'export';
-}
-
-/** Address of the scene for phones and headsets. */
-export interface PhoneDialog {
-  readonly kind: 'phone';
-}
-
-/** Size and background of a picture that is saved. */
-export interface PictureDialog {
-  readonly kind: 'picture';
-}
-
-/** Format, size, time and camera of a film that is saved. */
-export interface FilmDialog {
-  readonly kind: 'film';
-}
-
-/** Asks whether agents may edit, and says how one is set up. */
-export interface AgentDialog {
-  readonly kind: 'agent';
-}
-
 export interface TextDialog {
   readonly kind: 'text';
   readonly title: string;
@@ -122,21 +87,17 @@ export type DialogRequest =
   | ProgressDialog
   | ProblemsDialog
   | TextDialog
-  | KeysDialog
-  | PaletteDialog
+  | PlainDialog
   | RecoverDialog
-  | WelcomeDialog
-  | AboutDialog
-  | ExportDialog
-  | PhoneDialog
-  | PictureDialog
-  | FilmDialog
-  | AgentDialog;
+  | WelcomeDialog;
 
 /** The open dialog; one at a time. */
 export class Dialogs {
   /** Emits when a dialog opens or closes. */
   readonly changed = new Signal();
+
+  /** Text typed while the code of the palette that is open was fetched. */
+  typed = '';
 
   private request: DialogRequest | null = null;
   private answer: (agreed: boolean) => void = () => {};
@@ -149,6 +110,7 @@ export class Dialogs {
   show(request: DialogRequest): Promise<boolean> {
     this.close(false);
     this.request = request;
+    this.typed = '';
     this.changed.emit();
     return new Promise((resolve) => {
       this.answer = resolve;

@@ -14,6 +14,8 @@ import { PlayEdits } from './PlayEdits';
 import { Selection } from './Selection';
 import { Simulation } from './Simulation';
 
+type OwnerSignal = Signal<readonly [field?: string]>;
+
 /**
  * The edited scene with its history, selection and simulation, free of React and canvas. Every edit goes through
  * `commands`; simulation writes to the scene directly and never becomes history.
@@ -60,7 +62,7 @@ export class EditorDocument {
   private current: Scene;
   private unsubscribe: () => void;
   private endAssets: () => void = () => {};
-  private readonly ownerSignals = new WeakMap<FieldOwner, Signal>();
+  private readonly ownerSignals = new WeakMap<FieldOwner, OwnerSignal>();
 
   /**
    * @param registry - component types shared by every scene of the document; each scene's own when absent
@@ -122,9 +124,10 @@ export class EditorDocument {
   }
 
   /**
-   * Emits when a field of a component or of the scene's settings changes, or when the component is switched on or off.
+   * Emits the name of a field of a component, of the scene's settings or of a material that changes, and without a name
+   * when the component is switched on or off.
    */
-  ownerSignal(owner: FieldOwner): Signal {
+  ownerSignal(owner: FieldOwner): OwnerSignal {
     let signal = this.ownerSignals.get(owner);
     if (!signal) this.ownerSignals.set(owner, (signal = new Signal()));
     return signal;
@@ -142,10 +145,11 @@ export class EditorDocument {
   }
 
   private tell(change: SceneChange): void {
-    if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
-    else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
+    if (change.kind === 'field') this.ownerSignals.get(change.component)?.emit(change.field);
+    else if (change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
+    else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit(change.field);
     else if (change.kind === 'asset') {
-      this.ownerSignals.get(change.asset)?.emit();
+      this.ownerSignals.get(change.asset)?.emit(change.field);
       this.materials.emit();
     } else if (change.kind === 'microshader') this.microShaders.emit();
     else if (change.kind === 'view') this.views.emit();

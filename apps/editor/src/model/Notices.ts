@@ -13,7 +13,7 @@ export interface Notice {
   readonly lasts: boolean;
 }
 
-/** Messages shown at a time, besides the lasting ones. */
+/** Maximum number of messages shown at a time, besides lasting ones. */
 const MOST = 3;
 
 /** Short messages that need no answer. They disappear by themselves, and stay in the console. */

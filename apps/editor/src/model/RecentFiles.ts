@@ -6,7 +6,7 @@ export interface RecentFile {
   readonly name: string;
   /** Name of the scene in the file. */
   readonly scene: string;
-  /** When it was last opened or saved (ms since 1970). */
+  /** Time at which the file was last opened or saved (ms since 1970). */
   readonly time: number;
   /** Handle to read the file again; null in browsers that give none. */
   readonly handle: FileSystemFileHandle | null;

@@ -2,8 +2,12 @@ import type { FieldOwner } from '@farol/engine/fields';
 import { useMemo, useSyncExternalStore } from 'react';
 import { useEditor } from './EditorContext';
 
-/** Renders again when a field of a component changes, or when it is switched on or off. @param owners - memoised */
-export function useOwnersRevision(owners: readonly FieldOwner[]): number {
+/**
+ * Renders again when a field of a component changes, or when it is switched on or off.
+ * @param owners - memoised
+ * @param changed - memoised; called with the name of each field that changes, and without one when any may have
+ */
+export function useOwnersRevision(owners: readonly FieldOwner[], changed?: (field?: string) => void): number {
   const { document } = useEditor();
   const [subscribe, read] = useMemo(() => {
     const signals = owners.map((owner) => document.ownerSignal(owner));
@@ -12,8 +16,10 @@ export function useOwnersRevision(owners: readonly FieldOwner[]): number {
     let revision = sum();
     let isRead = true;
     const follow = (listener: () => void): (() => void) => {
+      if (sum() !== revision) changed?.();
       revision = sum();
-      const tell = (): void => {
+      const tell = (field?: string): void => {
+        changed?.(field);
         revision++;
         if (isRead) listener();
         isRead = false;
@@ -22,6 +28,6 @@ export function useOwnersRevision(owners: readonly FieldOwner[]): number {
       return () => endings.forEach((end) => end());
     };
     return [follow, () => ((isRead = true), revision)] as const;
-  }, [document, owners]);
+  }, [document, owners, changed]);
   return useSyncExternalStore(subscribe, read);
 }

@@ -116,7 +116,7 @@ export class Gizmo {
     this.applySnapping();
   }
 
-  /** Target of drags while snapping. */
+  /** Grid, vertices or surfaces that drags snap to while snapping is on. */
   get snapTo(): SnapTarget {
     return this.snapTarget;
   }

@@ -64,7 +64,7 @@ export class Helpers {
   }
 
   /**
-   * Draws over the frame just rendered with the same camera.
+   * Draws grid, icons and lines over the frame just rendered with the same camera.
    * @param isDragging - whether the gizmo is being dragged: then only transforms change
    */
   render(webgl: WebGLRenderer, camera: Camera, lookThrough: CameraComponent | null, isDragging: boolean): void {

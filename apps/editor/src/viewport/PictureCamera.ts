@@ -142,6 +142,8 @@ export class PictureCamera {
   /** Frames the selection, or everything when nothing is selected. */
   focus(camera: EditorCamera = this.editorCamera): void {
     const { selectedObjects, scene } = this.document;
+    // an edit since the last frame, such as an object just added, counts too
+    scene.three.updateMatrixWorld();
     const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
     if (!box.isEmpty()) camera.focus(box);
   }

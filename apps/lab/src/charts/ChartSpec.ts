@@ -68,7 +68,7 @@ export interface ChartSpec {
   readonly title: string;
   /** Contents and axes of the drawing, read aloud to those who do not see it. */
   readonly description: string;
-  /** How to read the drawing, and which figures are missing and why; shown smaller. */
+  /** Legend in words, and missing figures with reasons; shown smaller. */
   readonly notes?: readonly string[];
   readonly table: ChartTable;
   /** Keys of the competitors whose marks the legend of a file explains. */

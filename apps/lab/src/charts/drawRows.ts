@@ -31,7 +31,7 @@ export interface RowMark {
 /** A row of a chart: bars and symbols along the axis; none if there are no figures. */
 export interface ChartRow {
   readonly label: string;
-  /** Whether it is the title of the rows below it. */
+  /** Whether the row is the title of the rows below. */
   readonly isHeading?: boolean;
   /** Competitor whose symbol stands before the label. */
   readonly competitor?: string;

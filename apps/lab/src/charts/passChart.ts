@@ -8,7 +8,7 @@ import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
 
-/** Passes with a colour each, the longest ones; the rest is summed. */
+/** Maximum number of passes with a colour each, the longest ones; the rest is summed. */
 const MOST = 7;
 const REST = 'other passes';
 

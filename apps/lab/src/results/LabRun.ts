@@ -10,7 +10,6 @@ export interface Spread {
   /** 10th and 90th percentile of all samples. */
   low: number;
   high: number;
-  /** Number of samples. */
   samples: number;
 }
 

@@ -43,9 +43,9 @@ export function linkOf(configuration: Configuration): string {
 /** Names of all settings of the address. */
 export const linkNames = ['preset', 'series', 'size', 'techniques', 'rounds', 'turn', 'changes', 'longest', 'seconds'];
 
-/** Letters of a name or a value in a problem; longer ones are cut. */
+/** Maximum length of a name or a value in a problem; longer ones are cut. */
 const MOST_LETTERS = 60;
-/** Problems of one kind; further ones are counted. */
+/** Maximum number of problems listed of one kind; further ones are counted. */
 const MOST_PROBLEMS = 3;
 
 /** Limits of a run: series of a plan, and values of a series. */

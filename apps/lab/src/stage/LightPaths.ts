@@ -8,7 +8,6 @@ export interface LightPath {
   readonly extent: readonly [number, number, number];
   /** Greatest speed along an axis (m/s). */
   readonly speed: number;
-  /** Seed of the path. */
   readonly seed: number;
 }
 

@@ -10,7 +10,7 @@ export interface StageTemplate {
   readonly camera: Camera;
   /** Lights that the Lab moves: the light at time 0, and its path. */
   readonly moving: readonly { readonly light: PointLight; readonly path: LightPath }[];
-  /** The other lights. */
+  /** Lights that do not move. */
   readonly others: readonly Light[];
 }
 

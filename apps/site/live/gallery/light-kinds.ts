@@ -14,7 +14,7 @@ const canvas = document.querySelector('canvas')!;
 const webgl = new THREE.WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = THREE.ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', lightLayers: true });
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', lightLayers: true });
 
 const scene = new THREE.Scene();
 scene.background = new THREE.Color(0x06070a);
@@ -29,7 +29,7 @@ const glaze = new THREE.MeshStandardMaterial({ color: 0xc96a4a, roughness: 0.25 
 const brass = new THREE.MeshStandardMaterial({ color: 0xd0a050, roughness: 0.3, metalness: 0.8 });
 const box = new THREE.BoxGeometry(2, 0.1, 2);
 const wall = new THREE.BoxGeometry(2, 2.3, 0.1);
-const pot = new TeapotGeometry(0.36, 12);
+const pot = new TeapotGeometry(0.36, 8);
 const cone = new THREE.ConeGeometry(0.3, 0.9, 32);
 const ball = new THREE.SphereGeometry(0.24, 32, 20);
 
@@ -68,8 +68,6 @@ spot.position.set(0.9, 2.6, 1.4);
 spot.target.position.set(0, 0.2, 0);
 const sun = new THREE.DirectionalLight(0xfff0d8, 2.6);
 sun.position.set(-1.5, 2.4, 2);
-for (const side of ['left', 'bottom'] as const) sun.shadow.camera[side] = -2;
-for (const side of ['right', 'top'] as const) sun.shadow.camera[side] = 2;
 const area = new THREE.RectAreaLight(0x9fd0ff, 9, 1.4, 0.5);
 area.position.set(0, 1.7, 0.9);
 area.lookAt(0, 0, 0);
@@ -79,8 +77,7 @@ const warm = new THREE.SpotLight(0xff7a40, 40, 6, 0.5, 1);
 warm.position.set(-1.6, 2, 1.6);
 const low = new THREE.DirectionalLight(0xff9a50, 2.2);
 low.position.set(3, 0.7, 1);
-for (const side of ['left', 'bottom'] as const) low.shadow.camera[side] = -2;
-for (const side of ['right', 'top'] as const) low.shadow.camera[side] = 2;
+for (const { shadow } of [sun, low]) Object.assign(shadow.camera, { left: -2, bottom: -2, right: 2, top: 2 });
 niche(0, sun);
 niche(1, point);
 niche(2, spot);

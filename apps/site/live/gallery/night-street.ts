@@ -27,7 +27,7 @@ controls.update();
 
 const road = new THREE.Mesh(
   new THREE.PlaneGeometry(120, 120),
-  new THREE.MeshStandardMaterial({ color: 0x2e3238, roughness: 0.24 }),
+  new THREE.MeshStandardMaterial({ color: 0x2e3238, roughness: 0.35 }),
 );
 road.rotation.x = -Math.PI / 2;
 road.receiveShadow = true;
@@ -115,7 +115,7 @@ const cars = Array.from({ length: 8 }, (_, i) => {
   const car = new THREE.Group();
   const paint = new THREE.MeshStandardMaterial({
     color: new THREE.Color().setHSL(random(), 0.5, 0.35),
-    roughness: 0.25,
+    roughness: 0.35,
     metalness: 0.6,
   });
   const top = new THREE.Mesh(cabin, paint);

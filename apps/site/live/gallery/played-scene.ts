@@ -27,5 +27,6 @@ app.scene = await deserialize(text, { assets, fileOf, registry });
 const scene: ThreeScene = app.scene.three;
 const camera = app.scene.activeCamera!.three;
 app.start();
+const { ready } = app;
 
-export { camera, farol, scene, webgl };
+export { camera, farol, ready, scene, webgl };

@@ -94,7 +94,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
 /** Unknown names with a problem each; the others are counted. */
 const MOST_UNKNOWN = 3;
 
-/** Letters of a name or a value in a problem; longer ones are cut. */
+/** Maximum length of a name or a value in a problem; longer ones are cut. */
 const MOST_LETTERS = 60;
 
 const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);

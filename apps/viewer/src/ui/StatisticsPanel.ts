@@ -43,10 +43,7 @@ export class StatisticsPanel {
     this.since = now;
   }
 
-  /**
-   * Writes the counts and times now.
-   * @param fps - frames per second; null for a single frame
-   */
+  /** Writes the counts and times now. @param fps - frames per second; null for a single frame */
   show(info: FarolInfo, fps: number | null): void {
     this.summary.textContent = [
       fps === null ? t('Stopped') : t('{rate} frames a second', { rate: fps.toFixed(0) }),

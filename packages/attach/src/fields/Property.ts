@@ -19,9 +19,7 @@ export class PropertyOwner implements FieldTarget {
   readonly fields: Readonly<Record<string, Field>>;
   private readonly properties: ReadonlyMap<string, Property>;
 
-  /**
-   * @param ownerName - name or type of the object, for labels of the history
-   */
+  /** @param ownerName - name or type of the object, for labels of the history */
   constructor(
     readonly ownerName: string,
     private readonly target: object,

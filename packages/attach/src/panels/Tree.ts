@@ -216,10 +216,7 @@ export class Tree {
     this.refresh();
   }
 
-  /**
-   * Handles a key of the tree.
-   * @returns whether the tree has used the key
-   */
+  /** Handles a key of the tree. @returns whether the tree has used the key */
   private key(event: KeyboardEvent): boolean {
     const { rows, session } = this;
     if (event.ctrlKey || event.metaKey || event.altKey) return false;

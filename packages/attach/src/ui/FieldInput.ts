@@ -30,9 +30,7 @@ export class FieldInput {
   private readonly gesture: FieldGesture<Object3D>;
   private readonly problem = element('p', { className: 'problem', role: 'alert', hidden: true });
 
-  /**
-   * @param owners - objects whose field is edited: at least one, all with the field
-   */
+  /** @param owners - objects whose field is edited: at least one, all with the field */
   constructor(
     session: Session,
     private readonly owners: readonly PropertyOwner[],

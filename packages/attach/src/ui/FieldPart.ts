@@ -39,10 +39,7 @@ export interface FieldPart {
    * @throws Error that says why it is no number
    */
   read(): PartUpdate | null | undefined;
-  /**
-   * Change of a number by a drag of its label; absent for controls of other kinds.
-   * @param steps - dragged so far
-   */
+  /** Change of a number by a drag of its label; absent for controls of other kinds. @param steps - dragged so far */
   readonly scrubbed?: (steps: number) => (before: number) => number;
   /** Reason that the control's text is no valid value; null when valid. */
   readonly unfinished?: () => string | null;
@@ -179,9 +176,7 @@ function numericPart(
   return { ...made, unfinished };
 }
 
-/**
- * @param axis - coordinate of a vector or of Euler angles; none for a single number
- */
+/** @param axis - coordinate of a vector or of Euler angles; none for a single number */
 function numberPart(field: Field, id: string, label: string, axis?: number): FieldPart {
   const { toShown, fromShown, ...range } = numberDisplay(field);
   const text = (value: number | null, step?: number): string | null =>

@@ -63,10 +63,7 @@ export class Gizmo {
     return this.current !== null;
   }
 
-  /**
-   * Moves the gizmo to the selected objects, and updates its camera.
-   * @returns whether there is something to draw
-   */
+  /** Moves the gizmo to the selected objects, and updates its camera. @returns whether there is something to draw */
   update(): boolean {
     const { session, controls, pivot } = this;
     controls.camera = session.camera as PerspectiveCamera;
@@ -87,10 +84,7 @@ export class Gizmo {
     return true;
   }
 
-  /**
-   * Highlights the handle under a point of the picture.
-   * @returns whether there is a handle
-   */
+  /** Highlights the handle under a point of the picture. @returns whether there is a handle */
   hover(at: Vector2): boolean {
     if (!this.update()) return false;
     // updates the handles' matrices, which are otherwise from the last draw
@@ -115,10 +109,7 @@ export class Gizmo {
     this.controls.pointerMove(pointer(at, -1));
   }
 
-  /**
-   * Ends a drag.
-   * @param keep - true: as a step of history; false: objects go back to where they were
-   */
+  /** Ends a drag. @param keep - true: as a step of history; false: objects go back to where they were */
   finish(at: Vector2, keep: boolean): void {
     const { current, controls } = this;
     this.current = null;

@@ -39,9 +39,7 @@ export class FullscreenPass {
     this.mesh.frustumCulled = false;
   }
 
-  /**
-   * @param layer - layer of an array target
-   */
+  /** @param layer - layer of an array target */
   draw(renderer: WebGLRenderer, target: WebGLRenderTarget | WebGLArrayRenderTarget, layer = 0, rows?: Rows): void {
     target.scissorTest = rows !== undefined;
     if (rows) target.scissor.set(0, rows.first, target.width, rows.count);

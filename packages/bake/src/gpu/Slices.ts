@@ -7,17 +7,14 @@ export interface SlicedWork {
   readonly height: number;
   readonly batches: number;
   draw(batch: number, rows: Rows): void;
-  /**
-   * Called after each slice.
-   * @param share - part of the work that is done, 0 to 1
-   */
+  /** Called after each slice. @param share - part of the work that is done, 0 to 1 */
   onSlice(share: number, batch: number): void;
 }
 
-/** Slices queued on the GPU: one runs while the page learns that another is done. */
+/** Maximum number of slices queued on the GPU: one runs while the page is told that another is done. */
 const IN_FLIGHT = 2;
 
-/** Draws work in slices; between those that the GPU has in hand, of about so many milliseconds, the page may draw. */
+/** Draws work in slices of a target duration (ms), between which the page may draw. */
 export class Slices {
   constructor(
     private readonly renderer: WebGLRenderer,
@@ -53,9 +50,7 @@ export class Slices {
     }
   }
 
-  /**
-   * @returns number of rows that were drawn
-   */
+  /** @returns number of rows that were drawn */
   private drawSlice({ height, batches, draw }: SlicedWork, from: number, perRow: number): number {
     const begin = performance.now();
     const milliseconds = this.milliseconds / IN_FLIGHT;

@@ -30,9 +30,7 @@ export class LightmapFilters {
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly targets: LightmapTargets,
-    /**
-     * @param shared - uniforms of all passes
-     */
+    /** @param shared - uniforms of all passes */
     private readonly shared: Record<string, { value: unknown }>,
     private readonly options: LightmapFiltersOptions,
   ) {}

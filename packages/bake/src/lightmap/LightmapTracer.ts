@@ -249,10 +249,7 @@ export class LightmapTracer {
     measurePhase('trace', begin, { indirectSamples: stage.isGather ? samples * grid.size ** 2 : 0 });
   }
 
-  /**
-   * Reports a slice.
-   * @param samples - samples of the stage so far
-   */
+  /** Reports a slice. @param samples - samples of the stage so far */
   private tellSlice(stage: Stage, lightmap: number, samples: number): void {
     if (performance.now() - this.lastPreview > PREVIEW_MILLISECONDS && !stage.isIndirect) {
       this.lastPreview = performance.now();

@@ -3,9 +3,9 @@ import type { TracedLight } from '../scene/collectLights';
 import { dataTexture } from './dataTexture';
 
 const kinds = { directional: 0, point: 1, spot: 2, rectangle: 3, disc: 4, tube: 5 } as const;
-/** Texels that a light has in the table. */
+/** Number of texels of a light in the table. */
 const TEXELS = 9;
-/** Cells of the grid along its longest side, at most. */
+/** Maximum number of cells along the grid's longest side. */
 const MOST_CELLS = 32;
 
 /** Lights on the GPU: a table, and for each cell of a grid those that reach it. */

@@ -8,7 +8,7 @@ export interface SurfaceToUnwrap {
   readonly index: Uint32Array;
 }
 
-/** How meshes lie in lightmaps. */
+/** Density, padding and size of lightmaps. */
 export interface PackOptions {
   /** Width and height of a lightmap in texels. */
   readonly size: number;

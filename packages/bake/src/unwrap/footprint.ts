@@ -1,9 +1,9 @@
 import type { Chart } from './chartsOf';
 
-/** Texels in a row: from a first one, so many. Three numbers each: row, first, count. */
+/** Horizontal runs of texels, three numbers each: row, first column, count. */
 export type Runs = Int32Array;
 
-/** How a chart lies in texels: its uvs begin at the centre of texel 0, 0 and end at a centre. */
+/** Texels that a chart covers; its uvs begin at the centre of texel 0, 0 and end at a centre. */
 export interface Footprint {
   /** Texels along its bounds, from the first to the last centre. */
   readonly width: number;
@@ -84,7 +84,7 @@ function touch(grid: Uint8Array, columns: number, rows: number, x: Float64Array,
   }
 }
 
-/** A grid larger by `by` on all sides, with everything marked that is so near. */
+/** Grid larger by `by` on all sides, with each texel marked that is within `by` of a marked one. */
 function dilate(grid: Uint8Array, columns: number, rows: number, by: number): Uint8Array {
   const [wide, high] = [columns + 2 * by, rows + 2 * by];
   const along = new Uint8Array(wide * rows);

@@ -14,7 +14,7 @@ export interface Packed {
 const NEED = 0.93;
 /** Need (share of the lightmap's texels) above which packing is not tried: padding of charts would overlap. */
 const MOST_NEED = 1.25;
-/** Steps of the search for how finely meshes can lie in a lightmap. */
+/** Factor between two densities (texels per metre) that the search for the finest one tries. */
 const STEP = 1.04;
 const MOST_STEPS = 60;
 

@@ -1,6 +1,6 @@
 import type { BakeAnswer, BakeQuestion, BakeResults } from './bakeWorker';
 
-/** Workers at once. Each has xatlas in its memory. */
+/** Maximum number of workers; each has xatlas in its memory. */
 const MOST_WORKERS = 8;
 
 /** Pool of workers that answer requests in parallel, so that the page stays responsive. */

@@ -16,7 +16,7 @@ export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((befor
 /** Edits one field of one or of several owners by hand: many previews, one step of history. */
 export class FieldGesture<Item = string> {
   private gesture: Gesture<Item> | null = null;
-  private before: readonly FieldValue[] = [];
+  private previousValues: readonly FieldValue[] = [];
   /** Step of history that the last commit made; null when it made none. */
   private step: Command<Item> | null = null;
 
@@ -40,7 +40,7 @@ export class FieldGesture<Item = string> {
   /** Previews a new value. */
   preview<Value extends FieldValue>(update: FieldUpdate<Value>): void {
     if (!this.gesture) {
-      this.before = this.owners.map((owner) => this.commands.valueOf(currentOf(owner), this.nameOf(owner)));
+      this.previousValues = this.owners.map((owner) => this.commands.valueOf(currentOf(owner), this.nameOf(owner)));
       this.gesture = this.commands.begin();
     }
     // does nothing once an undo has ended the gesture
@@ -76,14 +76,11 @@ export class FieldGesture<Item = string> {
     return typeof this.name === 'string' ? this.name : this.name(currentOf(owner));
   }
 
-  /**
-   * Makes the command that sets the field on all owners.
-   * @throws Error when an owner does not allow its value
-   */
+  /** Makes the command that sets the field on all owners. @throws Error when an owner does not allow its value */
   private setTo<Value extends FieldValue>(update: FieldUpdate<Value>): SetFields {
     const edits = this.owners.map((owner, i) => {
       const name = this.nameOf(owner);
-      const value = typeof update === 'function' ? update(this.before[i] as Value, currentOf(owner)) : update;
+      const value = typeof update === 'function' ? update(this.previousValues[i] as Value, currentOf(owner)) : update;
       currentOf(owner).check?.(name, value);
       return { owner, name, value };
     });

@@ -2,7 +2,7 @@ import { toDegrees, toRadians } from './angles';
 import type { FieldDescription } from './FieldTarget';
 import { stepOf } from './stepOf';
 
-/** How the numbers of a field are shown and typed: unit, limits and step as shown, and the way there and back. */
+/** Unit, limits and step in which a field's numbers are shown and typed, with the conversion in both directions. */
 export interface NumberDisplay {
   /** Unit as shown, such as '°'; undefined for a pure number. */
   readonly unit?: string;
@@ -43,7 +43,7 @@ export function numberDisplay(field: FieldDescription): NumberDisplay {
   };
 }
 
-/** Digits that a number keeps on its way to another unit. */
+/** Significant digits kept when a number is converted to another unit. */
 const DIGITS = 7;
 
 /** The display of a number in another unit; its step is a power of ten times as large. */

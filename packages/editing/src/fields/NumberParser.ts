@@ -44,10 +44,7 @@ export class NumberParser {
     this.tokens = tokensOf(text);
   }
 
-  /**
-   * Reads the whole expression.
-   * @throws NumberSyntaxError
-   */
+  /** Reads the whole expression. @throws NumberSyntaxError */
   read(): Quantity {
     const value = this.sum();
     const next = this.peek();
@@ -64,7 +61,7 @@ export class NumberParser {
     return this.tokens[this.at];
   }
 
-  private take(...texts: string[]): string | null {
+  private accept(...texts: string[]): string | null {
     const next = this.peek();
     if (next?.kind !== 'sign' || !texts.includes(next.text)) return null;
     this.at++;
@@ -74,7 +71,7 @@ export class NumberParser {
   private sum(): Quantity {
     let left = this.product();
     for (;;) {
-      const sign = this.take('+', '-');
+      const sign = this.accept('+', '-');
       // adjacent quantities are added, as in '5ft 3in'
       if (!sign && !(this.peek()?.kind === 'number' && !isPure(left.unit))) return left;
       left = this.add(left, this.product(), sign === '-' ? -1 : 1);
@@ -100,7 +97,7 @@ export class NumberParser {
   private product(): Quantity {
     let left = this.signed();
     for (;;) {
-      const sign = this.take('*', '/');
+      const sign = this.accept('*', '/');
       if (!sign) return left;
       const right = this.signed(true);
       left = sign === '*' ? this.multiply(left, right) : this.divide(left, right);
@@ -122,7 +119,7 @@ export class NumberParser {
   }
 
   private signed(mayBeUnit = false): Quantity {
-    const sign = this.take('-', '+');
+    const sign = this.accept('-', '+');
     if (!sign) return this.power(mayBeUnit);
     const { value, unit } = this.deeper(() => this.signed());
     return { value: sign === '-' ? -value : value, unit };
@@ -130,7 +127,7 @@ export class NumberParser {
 
   private power(mayBeUnit: boolean): Quantity {
     const base = this.unitAfter(this.operand(mayBeUnit));
-    if (!this.take('^', '**')) return base;
+    if (!this.accept('^', '**')) return base;
     const exponent = this.deeper(() => this.signed());
     if (!isPure(base.unit) || !isPure(exponent.unit)) {
       throw new NumberSyntaxError(t('A power is of numbers without units.'));
@@ -156,8 +153,8 @@ export class NumberParser {
   }
 
   private unitPower(): number {
-    if (this.take('²')) return 2;
-    return this.take('³') ? 3 : 1;
+    if (this.accept('²')) return 2;
+    return this.accept('³') ? 3 : 1;
   }
 
   private isFunction(): boolean {
@@ -196,7 +193,7 @@ export class NumberParser {
     const unit = mayBeUnit ? unitOf(text, this.fieldUnit) : null;
     if (unit) return { value: 1, unit: multiplyUnits(noUnit, unit, this.unitPower()), isBareUnit: true };
     if (!Object.hasOwn(functions, name)) throw this.unknown(text);
-    if (!this.take('(')) {
+    if (!this.accept('(')) {
       throw new NumberSyntaxError(t('After “{text}” a bracket is missing: {text}(…).', { text: name }), !this.peek());
     }
     const { value, unit: of } = this.deeper(() => this.bracket());
@@ -212,7 +209,7 @@ export class NumberParser {
 
   private bracket(): Quantity {
     const { value, unit } = this.sum();
-    if (this.take(')')) return { value, unit };
+    if (this.accept(')')) return { value, unit };
     const next = this.peek();
     if (!next) throw new NumberSyntaxError(t('A “)” is missing.'), true);
     throw new NumberSyntaxError(t('Before “{text}” a “)” is missing.', { text: next.text }));

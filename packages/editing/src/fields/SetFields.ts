@@ -26,10 +26,7 @@ const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): 
 
 const set = ({ owner, name, value }: FieldEdit): void => currentOf(owner).set(name, value);
 
-/**
- * Sets all fields, or none when one value is refused.
- * @param before - values before the call, in the same order
- */
+/** Sets all fields, or none when one value is refused. @param before - values before the call, in the same order */
 function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void {
   let count = 0;
   try {
@@ -43,7 +40,7 @@ function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void
 /** Command that sets authored values of fields, of one or many owners; simulated values are not touched. */
 export class SetFields<Owner extends FieldTarget = FieldTarget> implements Command<never> {
   /** Values before the first `do`; null until then. */
-  private before: readonly FieldEdit<Owner>[] | null = null;
+  private previousEdits: readonly FieldEdit<Owner>[] | null = null;
   /** Edits that `undo` makes, in the order of `edits`. */
   private undoes: readonly FieldEdit<Owner>[] = [];
 
@@ -54,16 +51,16 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
   ) {}
 
   get isEmpty(): boolean {
-    const before = this.before ?? this.edits.map(authored);
+    const before = this.previousEdits ?? this.edits.map(authored);
     return this.edits.every(({ value }, i) => sameValue(value, before[i].value));
   }
 
   /** @throws Error of the owner that refuses its value; nothing has changed then */
   do(): void {
-    const before = this.before ?? this.edits.map(authored);
-    if (!this.before) this.undoes = this.edits.map(undoing);
+    const before = this.previousEdits ?? this.edits.map(authored);
+    if (!this.previousEdits) this.undoes = this.edits.map(undoing);
     setAll(this.edits, this.undoes);
-    this.before = before;
+    this.previousEdits = before;
   }
 
   undo(): void {
@@ -78,7 +75,7 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
     );
     if (!sameFields) return null;
     setAll(next.edits, this.edits);
-    next.before = this.before;
+    next.previousEdits = this.previousEdits;
     next.undoes = this.undoes;
     return next;
   }

@@ -8,10 +8,7 @@ export function isFieldVisible(fields: FieldTable, name: string, get: (field: st
   return holds(fields, name, get, null);
 }
 
-/**
- * Whether the condition of a field holds.
- * @param above - fields already visited, which ends cycles of conditions
- */
+/** Whether the condition of a field holds. @param above - fields already visited, which ends cycles of conditions */
 function holds(
   fields: FieldTable,
   name: string,

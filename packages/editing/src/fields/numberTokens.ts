@@ -4,9 +4,7 @@ import { t } from '../language/translate';
 export class NumberSyntaxError extends Error {
   override readonly name = 'NumberSyntaxError';
 
-  /**
-   * @param isIncomplete - whether typing on may make the text valid
-   */
+  /** @param isIncomplete - whether typing on may make the text valid */
   constructor(
     message: string,
     readonly isIncomplete = false,
@@ -44,9 +42,7 @@ export function tokensOf(text: string): Token[] {
   return tokens;
 }
 
-/**
- * @param rest - text after the number
- */
+/** @param rest - text after the number */
 function numberToken(text: string, rest: string): Token {
   if (/^[.,]/.test(rest)) {
     throw new NumberSyntaxError(t('“{text}” has two decimal points.', { text: `${text}${rest}`.split(' ', 1)[0] }));

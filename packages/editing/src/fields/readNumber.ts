@@ -89,10 +89,7 @@ function relativeEdit(operator: string, text: string, unit: string | undefined):
   return { problem: null, isRelative: true, valueFor: (before) => finite(tidied(before + amount)) };
 }
 
-/**
- * Returns the value, rounded.
- * @throws NumberSyntaxError when `value` is not finite
- */
+/** Returns the value, rounded. @throws NumberSyntaxError when `value` is not finite */
 function checked(value: number, text: string): number {
   if (!Number.isFinite(value)) {
     throw new NumberSyntaxError(

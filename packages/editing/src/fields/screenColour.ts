@@ -50,7 +50,8 @@ export function withScreenColour(hex: string): ((before: Vector3Tuple) => Vector
  * @throws RangeError for another one
  */
 export function withIntensity(intensity: number): (before: Vector3Tuple) => Vector3Tuple {
-  if (!(intensity >= 1 && intensity < Infinity)) throw new RangeError('The intensity must be a number of at least 1.');
+  if (!(intensity >= 1 && intensity < Infinity))
+    throw new RangeError('The intensity is below 1 or no number: give a number of at least 1.');
   return ([r, g, b]) => {
     const brightest = Math.max(r, g, b);
     if (brightest <= 0 || (intensity === 1 && brightest <= 1)) return [r, g, b];

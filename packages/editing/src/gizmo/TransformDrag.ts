@@ -65,7 +65,7 @@ export class TransformDrag {
     });
   }
 
-  /** How far the pivot was moved, in the world (m). */
+  /** Displacement of the pivot (m, world space). */
   get offset(): Vector3 {
     return this.pivot.position.clone().sub(this.pivotStart);
   }

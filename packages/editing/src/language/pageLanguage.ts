@@ -6,7 +6,7 @@ const KEY = 'farol-language';
 
 type FetchTexts = () => Promise<Texts>;
 
-let asked: Language = 'en';
+let requested: Language = 'en';
 
 function chosenLanguage(): string | null {
   try {
@@ -24,9 +24,9 @@ function chosenLanguage(): string | null {
  * @throws Error (as a rejection) when the texts cannot be fetched; the language then stays
  */
 export async function showPageLanguage(language: Language, fetchSpanish: FetchTexts): Promise<boolean> {
-  asked = language;
+  requested = language;
   const texts = language === 'en' ? {} : await fetchSpanish();
-  if (asked !== language) return false;
+  if (requested !== language) return false;
   setTexts(texts, language);
   document.documentElement.lang = language;
   try {

@@ -35,7 +35,7 @@ export class AnimationSystem implements SceneSystem {
   private readonly fields = new Map<Component, Map<string, FieldChannel>>();
   private readonly nodes = new Map<Object3D, Map<string, NodeChannel>>();
   /** Channels of this frame, the first `shownCount` entries; later entries are left over from older frames. */
-  private shown: Channel[] = [];
+  private frameChannels: Channel[] = [];
   private shownCount = 0;
   private shownBefore: Channel[] = [];
   private frame = 0;
@@ -84,7 +84,7 @@ export class AnimationSystem implements SceneSystem {
     if (channel.frame === this.frame) return;
     channel.frame = this.frame;
     channel.begin();
-    this.shown[this.shownCount++] = channel;
+    this.frameChannels[this.shownCount++] = channel;
   }
 
   /** Queues a clip event; called after all channels of this frame are applied. */
@@ -95,8 +95,8 @@ export class AnimationSystem implements SceneSystem {
   update(deltaSeconds: number, time: number): void {
     const before = this.shownBefore;
     const countBefore = this.shownCount;
-    this.shownBefore = this.shown;
-    this.shown = before;
+    this.shownBefore = this.frameChannels;
+    this.frameChannels = before;
     this.shownCount = 0;
     this.frame++;
     const { animated } = this;
@@ -105,16 +105,16 @@ export class AnimationSystem implements SceneSystem {
       const channel = this.shownBefore[i];
       if (channel.frame !== this.frame && !channel.isGone) this.release(channel);
     }
-    for (let i = 0; i < this.shownCount; i++) this.apply(this.shown[i]);
+    for (let i = 0; i < this.shownCount; i++) this.apply(this.frameChannels[i]);
     if (time <= 0) return;
     for (let i = 0; i < animated.length; i++) if (animated[i].isActive) animated[i].passEvents(time, deltaSeconds > 0);
     if (this.calls.length > 0) this.callEvents();
   }
 
   reset(): void {
-    for (let i = 0; i < this.shownCount; i++) if (!this.shown[i].isGone) this.shown[i].release();
+    for (let i = 0; i < this.shownCount; i++) if (!this.frameChannels[i].isGone) this.frameChannels[i].release();
     this.shownCount = 0;
-    this.shown = [];
+    this.frameChannels = [];
     this.shownBefore = [];
     this.fields.clear();
     this.nodes.clear();

@@ -8,7 +8,7 @@ import { valueAt } from './valueAt';
  * Shows a clip at a time on an object tree, for scrubbing: neither an edit nor saved. For a scene that does not play.
  */
 export class ClipPreview {
-  private readonly shown = new Map<Component, Set<string>>();
+  private readonly previewed = new Map<Component, Set<string>>();
 
   /** @param gameObject - root of the tracks' paths */
   constructor(readonly gameObject: GameObject) {}
@@ -21,7 +21,7 @@ export class ClipPreview {
   show(clip: ClipData, time: number): string[] {
     const problems: string[] = [];
     const left = new Map<Component, Set<string>>();
-    for (const [component, fields] of this.shown) left.set(component, new Set(fields));
+    for (const [component, fields] of this.previewed) left.set(component, new Set(fields));
     for (const track of clip.tracks) {
       const { component, problem } = trackTarget(this.gameObject, track);
       if (!component) {
@@ -38,9 +38,9 @@ export class ClipPreview {
         continue;
       }
       left.get(component)?.delete(field);
-      const fields = this.shown.get(component);
+      const fields = this.previewed.get(component);
       if (fields) fields.add(field);
-      else this.shown.set(component, new Set([field]));
+      else this.previewed.set(component, new Set([field]));
     }
     for (const [component, fields] of left) {
       for (const field of fields) component.simulate(field, component.getAuthored(field));
@@ -50,7 +50,7 @@ export class ClipPreview {
 
   /** Ends the preview: all fields are shown as authored. */
   end(): void {
-    for (const component of this.shown.keys()) component.endSimulation();
-    this.shown.clear();
+    for (const component of this.previewed.keys()) component.endSimulation();
+    this.previewed.clear();
   }
 }

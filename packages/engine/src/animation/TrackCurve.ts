@@ -6,7 +6,7 @@ const LINEAR = 0;
 const STEP = 1;
 const BEZIER = 2;
 
-/** How many numbers the values of a field have; 0 for a field whose values step. */
+/** Number of components of a field's values; 0 for a field without interpolation. */
 export function sizeOfField(field: Field): 0 | 1 | 3 {
   if (field.kind === 'number' || field.kind === 'angle') return 1;
   return field.kind === 'vector3' || field.kind === 'euler' || field.kind === 'colour' ? 3 : 0;

@@ -1,6 +1,6 @@
 import type { ClipEvent } from '../assets/clips/ClipData';
 
-/** How a clip continues at its end: it stays there, begins again, or plays backwards. */
+/** Behaviour of a clip at its end: it stays there, begins again, or plays backwards. */
 export type ClipWrap = 'once' | 'loop' | 'ping-pong';
 
 /** Greatest number of passes of a clip for which one frame calls events. */

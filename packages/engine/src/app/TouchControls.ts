@@ -1,7 +1,7 @@
 import type { CharacterController } from '../components/CharacterController';
 import type { Scene } from '../core/Scene';
 
-/** Diameters of the stick's ring and of its knob (CSS pixels). */
+/** Diameter of the stick's ring, and of its knob (CSS pixels). */
 const RING = 120;
 const KNOB = 48;
 

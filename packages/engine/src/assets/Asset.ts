@@ -60,7 +60,6 @@ export type AssetSource =
 
 /** A file added to a library; the asset of this name is read from its bytes. */
 export interface AssetFile {
-  /** Name of the asset. */
   readonly name: string;
   readonly type: AssetType;
   readonly blob: Blob;

@@ -59,7 +59,7 @@ describe('loading', () => {
     });
     await expect(assets.load('shape')).rejects.toThrow("The asset 'shape' could not be loaded: shape.ply answered 404");
     fail = false;
-    await expect(assets.load('shape')).rejects.toThrow(/do not begin with "ply"/);
+    await expect(assets.load('shape')).rejects.toThrow(/begins with "ply"/);
     await expect(assets.load('nobody')).rejects.toThrow(/'nobody' is unknown/);
   });
 });

@@ -21,11 +21,9 @@ import { AssetTable, sample } from './AssetTable';
 
 /** Options of the constructor of AssetLibrary. */
 export interface AssetLibraryOptions {
-  /**
-   * Addresses of new assets by name, their type told by the ending of the address.
-   */
+  /** Addresses of new assets by name, their type told by the ending of the address. */
   urls?: Readonly<Record<string, string>>;
-  /** How the bytes of an address are read; `fetch` when absent. */
+  /** Reads the bytes of an address; `fetch` when absent. */
   fetchBytes?: FetchBytes;
   /** Renderer of the assets; asked only for the compressed texture formats of its device. */
   renderer?: WebGLRenderer;

@@ -30,9 +30,7 @@ export interface MaterialHost extends FieldAssetHost {
   whenReady(type: 'texture', name: string, callback: () => void): void;
   texture(name: string): Texture;
   surface(name: string): SurfaceAsset | null;
-  /**
-   * @internal Called when the surface (GLSL) of a material was replaced.
-   */
+  /** @internal Called when the surface (GLSL) of a material was replaced. */
   materialWears(material: Material): void;
   /** @internal */
   materialShapeChanged(name: string): void;

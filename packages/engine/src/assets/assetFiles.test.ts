@@ -216,7 +216,7 @@ describe('a broken asset', () => {
     [
       'cut.glb',
       async () => (await pack()).slice(0, 300),
-      /'cut\.glb' could not be loaded: it is cut short: its header/,
+      /'cut\.glb' could not be loaded: it is cut short \(its header/,
     ],
     ['text.glb', async () => bytesOf('hello'), /its JSON cannot be read/],
     ['empty.hdr', async () => new ArrayBuffer(0), /the file is empty: choose it again/],

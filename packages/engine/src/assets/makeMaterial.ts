@@ -57,7 +57,7 @@ export function writeMaterial(
   if (programState(coloured) !== before) material.needsUpdate = true;
 }
 
-/** Writes field values to a material of their kind, but for its textures. It may need another program afterwards. */
+/** Writes field values to a material of their kind, but for its textures. The material may need another program afterwards. */
 export function writeMaterialValues(
   material: Material,
   values: Omit<MaterialValues, 'map' | 'normalMap' | 'repeat'>,

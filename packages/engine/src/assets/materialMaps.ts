@@ -167,7 +167,7 @@ export type MaterialMapName = keyof typeof materialMaps;
 /** Names of fields for the maps of three's mesh materials, in the order of the inspector. */
 export const materialMapNames = Object.keys(materialMaps) as readonly MaterialMapName[];
 
-/** How a texture continues beyond its edges. */
+/** Wrapping of a texture beyond its edges. */
 export const wrapModes = ['repeat', 'mirror', 'clamp'] as const;
 
 /** Endings of the names of fields that place a map on the surface, such as 'RepeatX' in 'normalMapRepeatX'. */

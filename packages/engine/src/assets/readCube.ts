@@ -22,7 +22,8 @@ export function readCube(bytes: ArrayBuffer): DataTexture {
     else if (first === 'DOMAIN_MIN') range = [Number(rest[0]), range[1]];
     else if (first === 'DOMAIN_MAX') range = [range[0], Number(rest[0])];
     else if (/^[-+.\d]/.test(first)) {
-      if (colours.length >= size ** 3 * 3) throw new Error(`it has more colours than its size of ${size} allows.`);
+      if (colours.length >= size ** 3 * 3)
+        throw new Error(`it has more colours than its size of ${size} allows: export it again.`);
       for (const text of [first, rest[0], rest[1]]) colours.push(Number(text));
     }
   }

@@ -20,10 +20,7 @@ interface HdrHeader {
   readonly end: number;
 }
 
-/**
- * Reads the text header.
- * @throws Error when the header is incomplete, or tells another format of colours
- */
+/** Reads the text header. @throws Error when the header is incomplete, or tells another format of colours */
 function readHeader(bytes: Uint8Array): HdrHeader {
   let at = 0;
   const readLine = (): string => {
@@ -73,10 +70,7 @@ class RowReader {
     this.row = new Uint8Array(length * 4);
   }
 
-  /**
-   * Reads the next scan line.
-   * @throws Error when the scan line is incomplete
-   */
+  /** Reads the next scan line. @throws Error when the scan line is incomplete */
   next(): void {
     const { bytes, at, length } = this;
     const isPacked =

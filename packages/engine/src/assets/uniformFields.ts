@@ -41,12 +41,12 @@ export function uniformFieldsOf(uniforms: readonly SurfaceUniform[]): FieldTable
   const fields: Record<string, Field> = {};
   let textures = 0;
   for (const uniform of uniforms) {
-    const { name, type, label, default: value, least, most, step } = uniform;
+    const { name, type, label, default: value, min, max, step } = uniform;
     const shared = { label, help: '', viewOf: 'surfaceValues' };
     const range = {
-      ...(least !== undefined && { min: least }),
-      ...(most !== undefined && { max: most }),
-      ...(step !== undefined ? { step } : least !== undefined && type !== 'int' && { step: stepOf(least, most!) }),
+      ...(min !== undefined && { min }),
+      ...(max !== undefined && { max }),
+      ...(step !== undefined ? { step } : min !== undefined && type !== 'int' && { step: stepOf(min, max!) }),
     };
     const key = UNIFORM + name;
     if (type === 'sampler2D') {

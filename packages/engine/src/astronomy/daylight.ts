@@ -40,7 +40,7 @@ export function skyIlluminance(elevation: number): number {
 }
 
 /**
- * Illuminance (lx) of the moon through a clear sky, on a surface that faces it: 0.26 for a full moon overhead.
+ * Illuminance (lx) of the moon through a clear sky, on a surface that faces it: 0.27 for a full moon overhead.
  * @param phaseAngle - 0 for full moon, π for new moon
  * @see Krisciunas and Schaefer 1991, A model of the brightness of moonlight: their foot-candles, and 0.172 magnitudes a mass
  */

@@ -74,10 +74,7 @@ const moonParallax: readonly Term[] = [
 const refraction = (elevation: number): number =>
   elevation < -1 ? 0 : 1.02 / 60 / Math.tan((elevation + 10.3 / (elevation + 5.11)) * RADIANS);
 
-/**
- * Place in the sky of ecliptic coordinates.
- * @param parallax - horizontal, of what is near (degrees)
- */
+/** Place in the sky of ecliptic coordinates. @param parallax - horizontal, of what is near (degrees) */
 function placeOf(
   { longitude, latitude, parallax }: { longitude: number; latitude: number; parallax: number },
   day: number,

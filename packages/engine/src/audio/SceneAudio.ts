@@ -43,7 +43,7 @@ export class SceneAudio implements SceneSystem {
   private listener: AudioListener | null = null;
   private readonly voices = new Map<HeardSource, Voice>();
   /** Sources whose sound cannot be decoded, with the sound's name, so that each is reported once. */
-  private readonly told = new Map<HeardSource, string>();
+  private readonly reportedSounds = new Map<HeardSource, string>();
   private readonly sources: readonly HeardSource[];
   private readonly listeners: readonly HearingComponent[];
   private volume = -1;
@@ -81,7 +81,7 @@ export class SceneAudio implements SceneSystem {
 
   reset(): void {
     this.pause();
-    this.told.clear();
+    this.reportedSounds.clear();
   }
 
   dispose(): void {
@@ -151,9 +151,9 @@ export class SceneAudio implements SceneSystem {
     const { scene } = this;
     const { sound: name } = source;
     const buffer = bufferOf(source, scene.assets);
-    if (buffer || name === null || this.told.get(source) === name || !scene.assets.isReady('sound', name))
+    if (buffer || name === null || this.reportedSounds.get(source) === name || !scene.assets.isReady('sound', name))
       return buffer;
-    this.told.set(source, name);
+    this.reportedSounds.set(source, name);
     scene.assets
       .sound(name)
       .decode()

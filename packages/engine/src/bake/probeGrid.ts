@@ -2,7 +2,7 @@ import type { ProbeBox } from '@farol/renderer/light-probes';
 import { Box3, SphericalHarmonics3, Vector3 } from 'three';
 import type { BakeMesh } from './bakeSources';
 
-/** Probes along an axis, and in all, at most. */
+/** Maximum number of probes along an axis, and in all. */
 const MOST_ALONG = 32;
 const MOST = 8192;
 /** Share of the directions that see the back of a surface from which on a probe is taken to be within something. */

@@ -60,7 +60,7 @@ export class Animation
   private hasStarted = false;
   /** Scene time (s) from which clips may play. */
   private since = 0;
-  private readonly told = new Set<string>();
+  private readonly reported = new Set<string>();
 
   /** Names that `play` accepts: the model's clips by their names in the file, then clips of the library. */
   get clipNames(): string[] {
@@ -97,7 +97,7 @@ export class Animation
    */
   play(name?: string, options: PlayOptions = {}): void {
     const { scene, system } = this;
-    if (!scene || !system) throw new Error('An Animation can play only in a scene: add its object to one first.');
+    if (!scene || !system) throw new Error('Animation.play: its object is in no scene; add it first.');
     const { time } = scene;
     const clip = typeof name === 'string' && name !== '' ? this.find(name) : this.clip;
     this.hasStarted = true;
@@ -190,13 +190,13 @@ export class Animation
   resetPlayers(): void {
     this.clear();
     this.since = 0;
-    this.told.clear();
+    this.reported.clear();
   }
 
   tellProblem(clip: string, problem: string): void {
     const text = problem.startsWith('The clip') ? problem : `The clip '${clip}': ${problem}`;
-    if (this.told.has(text)) return;
-    this.told.add(text);
+    if (this.reported.has(text)) return;
+    this.reported.add(text);
     this.system?.tellOf(this, new Error(text));
   }
 

@@ -67,10 +67,7 @@ export class Camera extends component({
   private camera: PerspectiveCamera | OrthographicCamera | null = null;
   private canvasAspect = 16 / 9;
 
-  /**
-   * The three camera; replaced when `projection` changes.
-   * @throws Error when the component is on no GameObject
-   */
+  /** The three camera; replaced when `projection` changes. @throws Error when the component is on no GameObject */
   get three(): PerspectiveCamera | OrthographicCamera {
     if (!this.camera) throw new Error('This Camera is on no GameObject: add it with gameObject.addComponent.');
     return this.camera;

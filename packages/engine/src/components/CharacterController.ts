@@ -68,7 +68,7 @@ export class CharacterController extends physicsComponent(characterFields) {
 
   private readonly held = new Set<string>();
   /** Movement that a script has asked for; null for none. */
-  private asked: Vector3 | null = null;
+  private requestedMove: Vector3 | null = null;
   private readonly stick = new TouchStick();
   private readonly finger = { pointer: -1, since: 0, way: 0 };
   private pitch = 0;
@@ -90,7 +90,7 @@ export class CharacterController extends physicsComponent(characterFields) {
    */
   walk(direction: Vector3Input): void {
     const asked = toVector3(direction, new Vector3()).setY(0).clampLength(0, 1);
-    this.asked = asked.lengthSq() > 0 ? asked : null;
+    this.requestedMove = asked.lengthSq() > 0 ? asked : null;
   }
 
   /** Makes the character jump, if it stands on the ground. */
@@ -122,7 +122,7 @@ export class CharacterController extends physicsComponent(characterFields) {
 
   override onDestroy(): void {
     this.letGo();
-    this.asked = null;
+    this.requestedMove = null;
     this.control.teleport = null;
     this.control.isGrounded = false;
     this.control.velocity.set(0, 0, 0);
@@ -169,8 +169,8 @@ export class CharacterController extends physicsComponent(characterFields) {
   override update(deltaSeconds: number): void {
     const { control, stick, held } = this;
     const { wish } = control;
-    if (this.asked) {
-      wish.copy(this.asked);
+    if (this.requestedMove) {
+      wish.copy(this.requestedMove);
       return;
     }
     wish.set(0, 0, 0);

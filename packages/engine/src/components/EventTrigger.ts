@@ -218,19 +218,19 @@ export class EventTrigger extends component({
   }
 
   onCollisionEnter(event: OtherObject): void {
-    this.met('collisionEnter', event);
+    this.onContact('collisionEnter', event);
   }
 
   onCollisionExit(event: OtherObject): void {
-    this.met('collisionExit', event);
+    this.onContact('collisionExit', event);
   }
 
   onTriggerEnter(event: OtherObject): void {
-    this.met('triggerEnter', event);
+    this.onContact('triggerEnter', event);
   }
 
   onTriggerExit(event: OtherObject): void {
-    this.met('triggerExit', event);
+    this.onContact('triggerExit', event);
   }
 
   /** Calls the trigger's method on its target. @internal */
@@ -250,7 +250,7 @@ export class EventTrigger extends component({
     }
   }
 
-  private met(event: string, contact: OtherObject): void {
+  private onContact(event: string, contact: OtherObject): void {
     if (this.event !== event) return;
     if (this.otherTag && !contact.other?.tags.includes(this.otherTag)) return;
     this.fire(contact);

@@ -63,7 +63,7 @@ export class Light extends component(lightFields) {
   static override readonly newObjects: readonly NewObject[] = newLights;
 
   private light: AnyLight | null = null;
-  private given: Parameters<Light['give']>[0] = null;
+  private substitute: Parameters<Light['setSubstitute']>[0] = null;
   /** Intensity of the three light before its group's dimmer. */
   private fullIntensity = 1;
   /** Name of the photometric profile that is being loaded; null for none. */
@@ -87,12 +87,12 @@ export class Light extends component(lightFields) {
 
   /** Linear colour: `diffuse`, or that of the temperature (luminance 1) where the colour is by temperature. */
   get colour(): Vector3Tuple {
-    return this.given?.colour ?? colourOfLight(this);
+    return this.substitute?.colour ?? colourOfLight(this);
   }
 
   /** @internal Light of another component's in place of the fields'; null gives them back. Not an edit. */
-  give(light: { readonly colour: Vector3Tuple; readonly intensity: number } | null): void {
-    this.given = light;
+  setSubstitute(light: { readonly colour: Vector3Tuple; readonly intensity: number } | null): void {
+    this.substitute = light;
     if (this.light) this.applyFields();
   }
 
@@ -172,9 +172,9 @@ export class Light extends component(lightFields) {
   /** @internal Writes all fields to the three light. */
   applyFields(): void {
     const { three } = this;
-    const { given } = this;
+    const { substitute } = this;
     applyLightFields(this, three, this.scene?.settings.shadowSoftness);
-    if (given) three.color.setRGB(...given.colour);
+    if (substitute) three.color.setRGB(...substitute.colour);
     if (three instanceof PointLight || three instanceof SpotLight)
       storeLightOptions(three, { profile: this.takeProfile()?.texture });
     this.applyIntensity();
@@ -184,10 +184,10 @@ export class Light extends component(lightFields) {
 
   /** Writes the intensity to the three light: that of the field, by the profile and the group's dimmer. */
   private applyIntensity(): void {
-    const { three, given } = this;
+    const { three, substitute } = this;
     const isLocal = three instanceof PointLight || three instanceof SpotLight;
     const profile = isLocal && this.profileIntensity ? this.takeProfile() : null;
-    this.fullIntensity = (given?.intensity ?? this.intensity) * (profile?.maximumIntensity ?? 1);
+    this.fullIntensity = (substitute?.intensity ?? this.intensity) * (profile?.maximumIntensity ?? 1);
     three.intensity = this.fullIntensity * (this.master?.dimmer ?? 1);
   }
 

@@ -55,7 +55,7 @@ export class ObjectRenderer extends component({
   /** Name of the library material whose changes are listened to. */
   private watched: string | null = null;
   /** Name of the mesh asset whose geometry is drawn; null for another geometry. */
-  private shown: string | null = null;
+  private meshName: string | null = null;
   /** Cancels the computation of normals that the component waits for; null when it does not wait. */
   private waiting: AbortController | null = null;
 
@@ -131,7 +131,7 @@ export class ObjectRenderer extends component({
     }
     if (mesh !== null && !scene.assets.isMeshReady(mesh, this.creaseAngle)) {
       // another crease angle: the old geometry stays until the new one is ready
-      if (mesh !== this.shown) this.clear(scene);
+      if (mesh !== this.meshName) this.clear(scene);
       const waiting = (this.waiting = new AbortController());
       const again = (): void => {
         if (this.waiting === waiting) this.refreshGeometry();
@@ -148,7 +148,7 @@ export class ObjectRenderer extends component({
     if (geometry) scene.assets.uses.acquire(geometry);
     this.clear(scene);
     this.geometryInUse = geometry;
-    this.shown = mesh;
+    this.meshName = mesh;
     this.refreshMaterial();
   }
 
@@ -242,7 +242,7 @@ export class ObjectRenderer extends component({
   private clear(scene: Scene): void {
     this.waiting?.abort();
     this.waiting = null;
-    this.shown = null;
+    this.meshName = null;
     if (this.inGroup) instanceGroupsOf(scene).remove(this);
     this.inGroup = false;
     this.dropMesh(scene);

@@ -91,7 +91,7 @@ export class ParticleEmitter extends component(particleFields) {
     this.emitter?.removeFromParent();
     this.emitter?.dispose();
     this.emitter = null;
-    for (const name of ['mesh', 'texture'] as const) this.take(scene, name, null);
+    for (const name of ['mesh', 'texture'] as const) this.useAsset(scene, name, null);
     this.parts.surface = null;
   }
 
@@ -187,18 +187,18 @@ export class ParticleEmitter extends component(particleFields) {
   private fetchPart(scene: Scene, name: 'mesh' | 'texture'): void {
     const asset = this[name];
     const type: AssetType = name;
-    this.take(scene, name, null);
+    this.useAsset(scene, name, null);
     if (asset === null) return this.apply(name);
     scene.assets.whenReady(type, asset, () => {
       if (this.scene !== scene || this[name] !== asset || !this.emitter) return;
-      this.take(scene, name, name === 'mesh' ? scene.assets.mesh(asset) : scene.assets.texture(asset));
+      this.useAsset(scene, name, name === 'mesh' ? scene.assets.mesh(asset) : scene.assets.texture(asset));
       this.apply(name);
     });
     if (this.parts[name] === null) this.apply(name);
   }
 
   /** Registers as user of an asset, and unregisters from the previous one. */
-  private take(scene: Scene, name: 'mesh' | 'texture', asset: BufferGeometry | Texture | null): void {
+  private useAsset(scene: Scene, name: 'mesh' | 'texture', asset: BufferGeometry | Texture | null): void {
     const { uses } = scene.assets;
     const before = this.parts[name];
     if (asset) uses.acquire(asset);

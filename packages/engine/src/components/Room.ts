@@ -71,26 +71,26 @@ export class Room extends component({
   static override readonly help: string = 'A room with a door and a window: the shape that the Object Renderer draws.';
   static override readonly newObjects: readonly NewObject[] = [{ label: 'Room', group: 'building', with: drawnShape }];
 
-  private readonly own = new OwnShape(this, () => this.makeShape());
+  private readonly shapeMesh = new OwnShape(this, () => this.makeShape());
 
   get shapeGeometry(): BufferGeometry | null {
-    return this.own.geometry;
+    return this.shapeMesh.geometry;
   }
 
   override onAttach(): void {
-    this.own.tell('came');
+    this.shapeMesh.tell('came');
   }
 
   override onDetach(): void {
-    this.own.tell('gone');
+    this.shapeMesh.tell('gone');
   }
 
   override onActiveChanged(): void {
-    this.own.tell('switched');
+    this.shapeMesh.tell('switched');
   }
 
   override onFieldChanged(): void {
-    this.own.tell('fields');
+    this.shapeMesh.tell('fields');
   }
 
   /** Door and window, fitted to the walls that they are in. */

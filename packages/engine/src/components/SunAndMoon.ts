@@ -145,7 +145,7 @@ export class SunAndMoon extends component({
 
   private giveBack(scene: Scene): void {
     this.shownHour = Number.NaN;
-    this.gameObject.getComponent(Light)?.give(null);
+    this.gameObject.getComponent(Light)?.setSubstitute(null);
     this.gameObject.transform.restoreAuthored();
     if (this.showsSky) scene.settings.showDay(null);
     this.showsSky = false;
@@ -160,7 +160,7 @@ export class SunAndMoon extends component({
     const isDay = sunLight > moonLight;
     this.turn(isDay ? sun : moon);
     const intensity = isDay ? (sunLight / FULL_SUN) * SCREEN_SUN : (moonLight / FULL_MOON) * SCREEN_MOON;
-    this.gameObject.getComponent(Light)?.give({
+    this.gameObject.getComponent(Light)?.setSubstitute({
       colour: lightOfKelvin(isDay ? sunKelvin(sun.elevation) : MOON_KELVIN),
       intensity: isMeasured ? (isDay ? sunLight : moonLight) : intensity,
     });

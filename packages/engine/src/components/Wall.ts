@@ -42,26 +42,26 @@ export class Wall extends component({
   static override readonly help: string = 'A wall with a door or a window: the shape that the Object Renderer draws.';
   static override readonly newObjects: readonly NewObject[] = [{ label: 'Wall', group: 'building', with: drawnShape }];
 
-  private readonly own = new OwnShape(this, () => this.makeShape());
+  private readonly shapeMesh = new OwnShape(this, () => this.makeShape());
 
   get shapeGeometry(): BufferGeometry | null {
-    return this.own.geometry;
+    return this.shapeMesh.geometry;
   }
 
   override onAttach(): void {
-    this.own.tell('came');
+    this.shapeMesh.tell('came');
   }
 
   override onDetach(): void {
-    this.own.tell('gone');
+    this.shapeMesh.tell('gone');
   }
 
   override onActiveChanged(): void {
-    this.own.tell('switched');
+    this.shapeMesh.tell('switched');
   }
 
   override onFieldChanged(): void {
-    this.own.tell('fields');
+    this.shapeMesh.tell('fields');
   }
 
   private makeShape(): BufferGeometry {

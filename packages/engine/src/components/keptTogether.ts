@@ -46,13 +46,13 @@ class Order {
   /** For each node's index, the index after its last descendant. */
   private readonly ends: number[] = [];
   /** Number of meshes, lights and cameras before each index. */
-  private readonly seen = [0];
+  private readonly countsBefore = [0];
 
   constructor(root: Object3D) {
     const visit = (node: Object3D): void => {
       const place = this.places.size;
       this.places.set(node, place);
-      this.seen.push(this.seen[place] + Number(isSeen(node)));
+      this.countsBefore.push(this.countsBefore[place] + Number(isSeen(node)));
       for (const child of node.children) visit(child);
       this.ends[place] = this.places.size;
     };
@@ -65,7 +65,7 @@ class Order {
 
   /** Number of meshes, lights and cameras in a node's subtree. */
   seenIn(node: Object3D): number {
-    return this.seen[this.endOf(node)] - this.seen[this.places.get(node)!];
+    return this.countsBefore[this.endOf(node)] - this.countsBefore[this.places.get(node)!];
   }
 
   /**

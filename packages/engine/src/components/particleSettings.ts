@@ -141,7 +141,7 @@ export function particleSettings(values: ParticleValues, parts: ParticleParts): 
   return settings as unknown as ParticleSettings;
 }
 
-/** Setting that depends on a field at present; nothing for a field without a setting. */
+/** Current value of the setting that a field belongs to; empty for a field without one. */
 export function changedSetting(field: string, values: ParticleValues, parts: ParticleParts): Partial<ParticleSettings> {
   const name = settingOf.get(field);
   return name === undefined ? {} : { [name]: rules[name].make(values, parts) };

@@ -1,6 +1,6 @@
 import { type FieldTable, type FieldValue, sameValue, type ValuesOf } from '@farol/editing/fields';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
-import { type AssetNames, FieldOwner, own } from '../fields/FieldOwner';
+import { type AssetNames, FieldOwner, frozenCopy } from '../fields/FieldOwner';
 import { savedFields } from '../fields/savedFields';
 import type { CostlyEvents, EngineKeyEvent, EnginePointerEvent, ObjectPointerEvent } from './events';
 import type { RequiredEffect } from './RequiredEffect';
@@ -95,10 +95,7 @@ export abstract class Component extends FieldOwner {
     }
   }
 
-  /**
-   * The GameObject that the component is on.
-   * @throws Error when it is on none
-   */
+  /** The GameObject that the component is on. @throws Error when it is on none */
   get gameObject(): GameObject {
     if (!this.attachedObject) {
       throw new Error(`This ${this.typeName} is on no GameObject: add it with gameObject.addComponent.`);
@@ -143,7 +140,7 @@ export abstract class Component extends FieldOwner {
     if (sameValue(this.get(name), value)) return;
     this.simulated ??= new Map();
     if (this.simulated.size === 0) this.scene?.noteSimulated(this);
-    this.simulated.set(name, own(value));
+    this.simulated.set(name, frozenCopy(value));
     if (this.attachedObject) this.onFieldChanged(name);
   }
 

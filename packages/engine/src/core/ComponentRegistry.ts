@@ -37,7 +37,8 @@ export class ComponentRegistry {
     const { typeName } = componentClass;
     if (!typeName) throw new Error(`The class ${componentClass.name} needs a static typeName.`);
     const known = this.classes.get(typeName);
-    if (known && known !== componentClass) throw new Error(`There is a component '${typeName}': choose another name.`);
+    if (known && known !== componentClass)
+      throw new Error(`The component '${typeName}' exists already: choose another name.`);
     this.classes.set(typeName, componentClass);
     return this;
   }

@@ -15,11 +15,11 @@ import type { Scene } from './Scene';
 import { Transform } from './Transform';
 import { UnknownComponent } from './UnknownComponent';
 
-/** How a component is put on a GameObject. */
+/** Options of `addComponent`: the new component's id and place. */
 export interface AddComponentOptions {
   /** Place among the components; at the end when absent. Place 0 is the Transform's. */
   index?: number;
-  /** Id in place of one made from the object's. */
+  /** Id of the component; by default made from the object's id. */
   id?: string;
   enabled?: boolean;
 }
@@ -208,7 +208,9 @@ export class GameObject implements GameObjectContainer {
     if (component.isAttached)
       throw new Error(`This ${component.typeName} is on '${shortText(component.gameObject.name)}' already.`);
     if (component.componentClass.unique && this.getComponent(component.typeName)) {
-      throw new Error(`'${shortText(this.name)}' has a ${component.typeName} already, and can have only one.`);
+      throw new Error(
+        `'${shortText(this.name)}' has a ${component.typeName} already: change that one, or remove it first.`,
+      );
     }
     for (const name of Object.keys(values)) component.set(name, values[name]);
     if (options.enabled === false) component.enabled = false;

@@ -137,7 +137,7 @@ export class Scene implements GameObjectContainer {
 
   set activeCamera(camera: CameraComponent | null) {
     if (camera && !this.index.cameras.has(camera))
-      throw new Error('The active camera must be in the scene: add it first.');
+      throw new Error('The active camera is not in the scene: add it first.');
     if (camera === this.currentCamera) return;
     this.currentCamera = camera;
     this.notify({ kind: 'active-camera' });
@@ -180,7 +180,7 @@ export class Scene implements GameObjectContainer {
   /** Takes an object out of the scene, wherever in the tree it is; it keeps its ids and may be added again. */
   remove(gameObject: GameObject): this {
     if (gameObject.scene !== this)
-      throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}'.`);
+      throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}': add it first.`);
     moveGameObject(gameObject, null, undefined, { keepWorld: false });
     return this;
   }
@@ -310,12 +310,12 @@ export class Scene implements GameObjectContainer {
   /** Dispatches a pointer event to every active component with a method for it, and to those under the pointer. */
   dispatchPointer(event: EnginePointerEvent): void {
     this.calls.pointer(event);
-    this.pointer.take(event);
+    this.pointer.handleEvent(event);
   }
 
   /** Dispatches a pointer event only to components of the object under the pointer. */
   dispatchObjectPointer(event: EnginePointerEvent): void {
-    this.pointer.take(event);
+    this.pointer.handleEvent(event);
   }
 
   /** Dispatches a key event to every active component that wants it. */

@@ -20,10 +20,7 @@ export class SceneMicroShaders {
     return this.byName.get(name);
   }
 
-  /**
-   * Sets the text of a chunk, or takes it out.
-   * @throws Error for a name or a text that `parseMicroShader` refuses
-   */
+  /** Sets the text of a chunk, or takes it out. @throws Error for a name or a text that `parseMicroShader` refuses */
   set(name: string, text: string | null): void {
     if (text === (this.byName.get(name) ?? null)) return;
     if (text === null) this.byName.delete(name);

@@ -10,7 +10,7 @@ import type { SceneIndex } from './SceneIndex';
 /** Greatest distance (CSS pixels) between press and release of a click. */
 const CLICK_REACH = 10;
 
-/** Frames between picks under a resting pointer, since objects may move. */
+/** Number of frames between picks under a resting pointer, since objects may move. */
 const RESTING_FRAMES = 8;
 
 type PointerMethod = 'onPointerOver' | 'onPointerOut' | 'onPointerPress' | 'onPointerRelease' | 'onPointerClick';
@@ -56,7 +56,7 @@ export class ScenePointer {
   ) {}
 
   /** Handles a pointer event. A move waits for the next frame, since many may arrive in one. */
-  take(event: EnginePointerEvent): void {
+  handleEvent(event: EnginePointerEvent): void {
     const { type, pointerId } = event;
     if (type === 'wheel') return;
     const isWanted = this.isWanted();

@@ -9,7 +9,6 @@ export interface SceneView {
   readonly target: Vector3Tuple;
   /** Vertical field of view, from 0.01 to 3.1 (rad). */
   readonly fov: number;
-  /** Whether the view is orthographic. */
   readonly orthographic: boolean;
 }
 

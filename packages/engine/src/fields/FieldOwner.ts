@@ -23,11 +23,11 @@ export function copyValue(value: FieldValue): FieldValue {
 }
 
 /** A copy that nobody can change in place; -0 becomes 0, which JSON cannot tell apart. */
-export function own(value: FieldValue): FieldValue {
+export function frozenCopy(value: FieldValue): FieldValue {
   if (typeof value === 'number') return value + 0;
   if (!Array.isArray(value)) return value;
   if (isTriple(value)) return Object.freeze([value[0] + 0, value[1] + 0, value[2] + 0] as const);
-  return Object.freeze((value as readonly FieldValue[]).map(own)) as FieldValue;
+  return Object.freeze((value as readonly FieldValue[]).map(frozenCopy)) as FieldValue;
 }
 
 /** Fields that an owner has for a time besides its declared ones, each a part of a declared one: see `Field.viewOf`. */
@@ -51,7 +51,7 @@ const defaults = new WeakMap<FieldTable, Record<string, FieldValue>>();
 function defaultValues(fields: FieldTable): Record<string, FieldValue> {
   let values = defaults.get(fields);
   if (!values) {
-    values = Object.fromEntries(Object.entries(fields).map(([name, field]) => [name, own(field.default)]));
+    values = Object.fromEntries(Object.entries(fields).map(([name, field]) => [name, frozenCopy(field.default)]));
     defaults.set(fields, values);
   }
   return { ...values };
@@ -108,7 +108,7 @@ export abstract class FieldOwner {
     if (!Object.hasOwn(this.values, name)) return this.fieldViews!.set(name, value);
     const before = this.values[name];
     if (sameValue(before, value) && sameValue(this.get(name), value)) return;
-    this.values[name] = own(value);
+    this.values[name] = frozenCopy(value);
     this.fieldChanged(name, before);
   }
 

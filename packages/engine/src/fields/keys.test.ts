@@ -13,7 +13,7 @@ import {
 } from '@farol/editing/fields';
 import { expect, test } from 'vitest';
 import { createRandom } from '../base/createRandom';
-import { own } from './FieldOwner';
+import { frozenCopy } from './FieldOwner';
 import { randomFieldValue } from './randomFieldValue';
 
 test('a curve is straight between keys, constant beyond them, and steps where two keys are at one time', () => {
@@ -62,7 +62,7 @@ test('stops of colour and of opacity make keys that mean the same, and full keys
 
 test('a value of keys is copied and frozen whole, and compared by what is in it', () => {
   const given: [number, number[], number][] = [[-0, [1, -0, 1], 0.5]];
-  const kept = own(given as unknown as Gradient) as Gradient;
+  const kept = frozenCopy(given as unknown as Gradient) as Gradient;
   given[0][1][0] = 9;
   given[0][2] = 9;
   expect(kept).toEqual([[0, [1, 0, 1], 0.5]]);

@@ -20,7 +20,7 @@ import { makeObjects } from './makeObjects';
 import { checkAssets, missingAssets, readFile } from './parseFile';
 import { ProblemList } from './ProblemList';
 
-/** Options of `deserialize`. */
+/** Assets, registry and file access that `deserialize` uses. */
 export interface DeserializeOptions {
   /** Library for the scene's assets; the scene makes a library of its own when absent. */
   assets?: AssetLibrary;

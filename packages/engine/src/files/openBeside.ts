@@ -25,7 +25,7 @@ export interface OpenBesideOptions {
   readonly fragment?: string;
   /** Handed over when the page asks for it; the address says `?from=` and the own origin then. */
   readonly scene?: HandedScene;
-  /** How long the page may take to ask (ms). Default 30 s. */
+  /** Time after which a page that has not asked is given up (ms). Default 30 s. */
   readonly patience?: number;
   /** Window that opens the page; the global one when absent. */
   readonly host?: Pick<Window, 'open' | 'location' | 'addEventListener' | 'removeEventListener'>;

@@ -108,13 +108,13 @@ export const valuesSchema = (fields: FieldTable, description: string): JsonSchem
   );
 
 /** A schema that counts where another one holds, and one that counts where it does not. */
-const given = (condition: JsonSchema, schema: JsonSchema, otherwise: JsonSchema = {}): JsonSchema => ({
+const ifThen = (condition: JsonSchema, schema: JsonSchema, otherwise: JsonSchema = {}): JsonSchema => ({
   // oxlint-disable-next-line unicorn/no-thenable -- a keyword of JSON schema
   ...{ if: condition, then: schema, else: otherwise },
 });
 /** A schema that counts where members of an object have values. */
-const where = (members: JsonSchema, schema: JsonSchema): JsonSchema =>
-  given({ properties: members, required: Object.keys(members) }, schema);
+const whenMembers = (members: JsonSchema, schema: JsonSchema): JsonSchema =>
+  ifThen({ properties: members, required: Object.keys(members) }, schema);
 
 const link = record(
   {
@@ -155,8 +155,8 @@ const component = (): JsonSchema => ({
     ['type', 'version', 'id', 'values'],
   ),
   allOf: [...builtinComponents.types].flatMap(([name, { version }]) => [
-    where({ type: { const: name } }, { properties: { version: { maximum: version } } }),
-    where({ type: { const: name }, version: { const: version } }, { properties: { values: ref(name) } }),
+    whenMembers({ type: { const: name } }, { properties: { version: { maximum: version } } }),
+    whenMembers({ type: { const: name }, version: { const: version } }, { properties: { values: ref(name) } }),
   ]),
 });
 
@@ -176,10 +176,12 @@ const asset: JsonSchema = {
     ['name', 'type'],
   ),
   allOf: [
-    ...madeOfFields.map((type) => where({ type: { const: type } }, { properties: { values: ref(`${type}Asset`) } })),
-    where(
+    ...madeOfFields.map((type) =>
+      whenMembers({ type: { const: type } }, { properties: { values: ref(`${type}Asset`) } }),
+    ),
+    whenMembers(
       { type: { enum: readFromFiles } },
-      given(
+      ifThen(
         { required: ['file'] },
         { properties: { file: filled('A path.') } },
         { properties: { url: filled('An address.') }, required: ['url'] },

@@ -9,7 +9,7 @@ import { savedFields } from '../fields/savedFields';
 import { assetUses } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
 
-/** Options of `serialize`. */
+/** Options that `serialize` takes besides the scene. */
 export interface SerializeOptions {
   /** Library that gives the addresses of assets; the scene's when absent. */
   assets?: AssetLibrary;

@@ -169,7 +169,7 @@ function* joinCorners(
 
 function* creaseNormals(geometry: BufferGeometry, creaseAngle: number): Steps<BufferGeometry> {
   const position = geometry.getAttribute('position') as Attribute | undefined;
-  if (!position) throw new Error('Normals need a geometry with a position attribute.');
+  if (!position) throw new Error('The geometry has no position attribute: normals need one.');
   const corners = yield* cornersOf(geometry);
   const welded = yield* weldPositions(position);
   const normals = yield* cornerNormals(position, corners, welded, creaseAngle);

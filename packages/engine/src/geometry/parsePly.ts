@@ -25,7 +25,9 @@ function checkHeader(data: ArrayBuffer): void {
     // each property takes at least one byte of the file
     left -= /^\d+$/.test(count) ? Number(count) * Math.max(1, properties) : Infinity;
     if (left >= 0) continue;
-    throw new Error(`the PLY file is too short for ${shortText(count)} of the element ${shortText(name)}`);
+    throw new Error(
+      `the PLY file is too short for ${shortText(count)} of the element ${shortText(name)}: export it again`,
+    );
   }
 }
 
@@ -44,7 +46,8 @@ export async function parsePly(data: ArrayBuffer): Promise<BufferGeometry> {
     }
   }
   const head = new TextDecoder().decode(new Uint8Array(plain, 0, Math.min(4, plain.byteLength)));
-  if (!head.startsWith('ply')) throw new Error('the data are not a PLY file: they do not begin with "ply"');
+  if (!head.startsWith('ply'))
+    throw new Error('the data are not a PLY file, which begins with "ply": choose another file');
   checkHeader(plain);
   let geometry: BufferGeometry;
   try {

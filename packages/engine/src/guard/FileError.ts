@@ -10,11 +10,11 @@ export interface FileProblem {
 
 /** Options of the constructor of FileError. */
 export interface FileErrorOptions extends ErrorOptions {
-  /** How many problems there are besides those of the list; 0 when absent. */
+  /** Number of problems besides those of the list; 0 when absent. */
   more?: number;
 }
 
-/** Letters of the whole message, of one problem, and of one path. */
+/** Maximum length of the message, of one problem, and of one path. */
 const MESSAGE = 1800;
 const PROBLEM = 400;
 const PATH = 160;

@@ -1,6 +1,6 @@
 import { maximumDepth } from '../base/maximumDepth';
 
-/** How much a scene may hold. Files beyond a limit are refused, and so is an edit that would make such a file. */
+/** Limits of a scene. Files beyond one are refused, and so are edits that would exceed it. */
 export const fileLimits = {
   /** Greatest depth of the tree of objects. */
   depth: maximumDepth,

@@ -8,7 +8,7 @@ export const unpackLimits = {
   /** Unpacked size as a multiple of the packed size up to which the user is not asked. */
   ratio: 20,
   /** Unpacked bytes beyond which data are refused. */
-  most: 2 ** 30,
+  maxBytes: 2 ** 30,
   /** Greatest number of files in a ZIP. */
   entries: 10_000,
 } as const;
@@ -17,7 +17,7 @@ export const unpackLimits = {
 export interface UnpackQuestion {
   /** Size of the packed data (bytes). */
   readonly packed: number;
-  /** Bytes that they become, or, of a stream, have become until now. */
+  /** Unpacked bytes; of a stream, those so far. */
   readonly unpacked: number;
 }
 
@@ -37,10 +37,10 @@ export const sizesText = ({ packed, unpacked }: UnpackQuestion): string =>
  */
 export async function checkUnpacking(sizes: UnpackQuestion, mayUnpack?: MayUnpack): Promise<void> {
   const { packed, unpacked } = sizes;
-  if (unpacked <= unpackLimits.free || (unpacked <= packed * unpackLimits.ratio && unpacked <= unpackLimits.most))
+  if (unpacked <= unpackLimits.free || (unpacked <= packed * unpackLimits.ratio && unpacked <= unpackLimits.maxBytes))
     return;
-  if (unpacked > unpackLimits.most || !mayUnpack) {
-    const limit = unpacked > unpackLimits.most ? unpackLimits.most : unpackLimits.free;
+  if (unpacked > unpackLimits.maxBytes || !mayUnpack) {
+    const limit = unpacked > unpackLimits.maxBytes ? unpackLimits.maxBytes : unpackLimits.free;
     const problem = `The file would grow ${sizesText(sizes)} when it is unpacked, and ${megabytes(limit)} is the limit: it is damaged, or was made to do harm.`;
     throw new FileError([{ path: '', problem }]);
   }
@@ -75,7 +75,7 @@ export async function unpack(
       }
       const sizes = { packed: bytes.length, unpacked: length };
       const isLarge = length > unpackLimits.free && length > bytes.length * unpackLimits.ratio;
-      if (length > unpackLimits.most || (isLarge && !isAsked)) {
+      if (length > unpackLimits.maxBytes || (isLarge && !isAsked)) {
         await checkUnpacking(sizes, mayUnpack);
         isAsked = true;
       }

@@ -1,7 +1,7 @@
 import type { LampKind } from './lampKinds';
 import { type IntensityUnit, type PhotometricLight, unitFactor } from './lightUnits';
 
-/** Lights of a field value each, as a preset sets them; angles in radians, lengths in metres. */
+/** Field values of a Light that a preset sets; angles in radians, lengths in metres. */
 export interface LightPreset {
   readonly label: string;
   /** Kind of light: a Light's `type`. */

@@ -27,7 +27,7 @@ const LENGTH = 24;
 const parentRotation = new Quaternion();
 const signs = new Vector3();
 const arm = new Vector3();
-const before = new Vector3();
+const previousPosition = new Vector3();
 const inverse = new Matrix4();
 
 /** Writes an object's world position and rotation to `target` and `turned`. */
@@ -220,12 +220,12 @@ export class Body implements BodyControl {
     if (!this.movedInStep) return;
     const { state } = this;
     position.fromArray(other.state, NOW);
-    arm.copy(position).sub(before.fromArray(state));
+    arm.copy(position).sub(previousPosition.fromArray(state));
     rotation
       .fromArray(state, 3)
       .invert()
       .premultiply(parentRotation.fromArray(state, NOW + 3));
-    arm.applyQuaternion(rotation).add(before.fromArray(state, NOW)).sub(position);
+    arm.applyQuaternion(rotation).add(previousPosition.fromArray(state, NOW)).sub(position);
     way.add(arm);
   }
 

@@ -9,14 +9,14 @@ import type { CharacterPart } from './PhysicsParts';
 const SKIN = 0.01;
 /** Share of the difference to the requested velocity gained per step on the ground: full speed in 0.2 s. */
 const GRIP = 0.25;
-/** Steps after leaving the ground in which a jump is still accepted. */
+/** Number of steps after leaving the ground in which a jump is still accepted. */
 const LATE_JUMP = 6;
-/** Steps without a touch until a contact counts as ended. */
+/** Number of steps without a touch until a contact counts as ended. */
 const GRACE = 5;
 /** Smallest y of a unit normal that counts as ground. */
 const GROUND_NORMAL = 0.3;
 
-const wanted = new Vector3();
+const desiredMove = new Vector3();
 const moved = new Vector3();
 
 /** Another collider that the character touches. */
@@ -88,12 +88,12 @@ export class CharacterMotion {
     body.stay();
     if (step === 0) return;
     this.steer(seconds);
-    wanted.copy(velocity).multiplyScalar(seconds);
+    desiredMove.copy(velocity).multiplyScalar(seconds);
     // moved along by the body it stands on
-    this.ground?.carry(body, wanted);
+    this.ground?.carry(body, desiredMove);
     controller.computeColliderMovement(
       this.capsule.rapier,
-      wanted,
+      desiredMove,
       rapier.QueryFilterFlags.EXCLUDE_SENSORS,
       undefined,
       this.accepts,
@@ -102,7 +102,7 @@ export class CharacterMotion {
     control.isGrounded = controller.computedGrounded();
     this.stepsInAir = control.isGrounded ? 0 : this.stepsInAir + 1;
     // upward motion was blocked: the head hit something
-    if (velocity.y > 0 && moved.y < wanted.y / 2) velocity.y = 0;
+    if (velocity.y > 0 && moved.y < desiredMove.y / 2) velocity.y = 0;
     this.readHits(step);
     body.advance(moved);
     control.velocity.copy(moved).divideScalar(seconds);

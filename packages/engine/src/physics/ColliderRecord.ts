@@ -32,7 +32,7 @@ export interface ColliderRecord extends BodyCollider {
   readonly shapeMade: Matrix4;
 }
 
-const way = new Matrix4();
+const bodyToCollider = new Matrix4();
 const columns = [new Vector3(), new Vector3(), new Vector3()] as const;
 /** Tolerance per matrix element of a rigid motion. */
 const RIGID = 1e-5;
@@ -51,11 +51,11 @@ function isRigid(matrix: Matrix4): boolean {
  */
 export function moveCollider({ object, body, rapier, made, shapeMade }: ColliderRecord): boolean {
   if (!made) return false;
-  matrixInBody(object, body, way);
-  if (!way.elements.every(Number.isFinite)) return false;
-  way.multiply(inverse.copy(made).invert());
-  if (!isRigid(way)) return false;
-  way.multiply(shapeMade).decompose(place, turn, size);
+  matrixInBody(object, body, bodyToCollider);
+  if (!bodyToCollider.elements.every(Number.isFinite)) return false;
+  bodyToCollider.multiply(inverse.copy(made).invert());
+  if (!isRigid(bodyToCollider)) return false;
+  bodyToCollider.multiply(shapeMade).decompose(place, turn, size);
   rapier.setTranslationWrtParent(place);
   rapier.setRotationWrtParent(turn);
   return true;
@@ -104,7 +104,9 @@ export function makeCollider(
   }
   const matrix = matrixInBody(object, body);
   if (!matrix.elements.every(Number.isFinite) || matrix.determinant() === 0) {
-    throw new Error(`The Collider of ${nameOf(object)} has no size: its object, or one above it, has a scale of 0.`);
+    throw new Error(
+      `The Collider of ${nameOf(object)} has no size, since its object, or one above it, has a scale of 0: set another.`,
+    );
   }
   const desc = makeColliderDesc(rapier, shape, matrix);
   if (!desc) {
@@ -162,7 +164,7 @@ export function makeCapsule(
   const radius = component.radius * across;
   if (!(radius > 0) || along === 0) {
     throw new Error(
-      `The CharacterController of ${nameOf(object)} has no size: its object, or one above it, has a scale of 0.`,
+      `The CharacterController of ${nameOf(object)} has no size, since its object, or one above it, has a scale of 0: set another.`,
     );
   }
   const half = Math.max((component.height * along) / 2 - radius, 0.001);

@@ -16,7 +16,7 @@ import type { JointPart } from './PhysicsParts';
 export interface JointRecord {
   readonly component: JointPart;
   readonly body: Body;
-  /** The other body; null for a joint to the world. */
+  /** Second body of the joint; null for a joint to the world. */
   readonly partner: Body | null;
   readonly rapier: ImpulseJoint;
   /** Second joint that limits a ball joint to its cone; null for none. */

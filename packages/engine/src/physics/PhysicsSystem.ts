@@ -48,7 +48,7 @@ export class PhysicsSystem implements SceneSystem {
     return this.isReady;
   }
 
-  /** How many steps of 1/60 s were simulated since the scene was reset. */
+  /** Number of steps of 1/60 s simulated since the scene was reset. */
   get steps(): number {
     return this.world?.steps ?? 0;
   }

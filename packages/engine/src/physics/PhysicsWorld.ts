@@ -51,13 +51,13 @@ export class PhysicsWorld {
   private ground: Body['rapier'] | null = null;
   private readonly byHandle = new Map<number, ColliderRecord>();
   private readonly contacts: Contacts;
-  private readonly told = new WeakSet<Component>();
+  private readonly reported = new WeakSet<Component>();
   private readonly problems: { component: Component; error: unknown }[] = [];
   private readonly endChanges: () => void;
   private seenRevision = -1;
   private wasEdited = false;
   /** Simulated time since the last step (s). */
-  private rest = 0;
+  private unsimulated = 0;
   private made = 0;
 
   constructor(
@@ -87,12 +87,12 @@ export class PhysicsWorld {
     this.times.rapier = 0;
     if (this.wasEdited || this.seenRevision !== this.changes.revision) this.reconcile();
     this.follow(deltaSeconds);
-    this.rest += deltaSeconds;
-    let count = Math.floor(this.rest / STEP + TOLERANCE);
-    this.rest = Math.max(0, this.rest - count * STEP);
+    this.unsimulated += deltaSeconds;
+    let count = Math.floor(this.unsimulated / STEP + TOLERANCE);
+    this.unsimulated = Math.max(0, this.unsimulated - count * STEP);
     count = Math.min(count, MOST_STEPS);
     for (let left = count; left > 0; left--) this.step(left);
-    this.show(Math.min(1, this.rest / STEP));
+    this.show(Math.min(1, this.unsimulated / STEP));
     this.contacts.tell();
     this.times.all = performance.now() - began;
     this.tellProblems();
@@ -362,8 +362,8 @@ export class PhysicsWorld {
     try {
       make();
     } catch (error) {
-      if (this.told.has(component)) return;
-      this.told.add(component);
+      if (this.reported.has(component)) return;
+      this.reported.add(component);
       this.problems.push({ component, error });
     }
   }

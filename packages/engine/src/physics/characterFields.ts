@@ -1,5 +1,5 @@
 const body = { group: 'Body' };
-const looks = { visibleWhen: { field: 'look', equals: ['drag', 'move'] }, group: 'Look' };
+const whenTurned = { visibleWhen: { field: 'look', equals: ['drag', 'move'] }, group: 'Look' };
 
 import { angle, boolean, choice, number, vector3 } from '@farol/editing/fields';
 
@@ -79,13 +79,13 @@ export const characterFields = {
     step: 0.001,
     help: 'Turn for each pixel of motion; below 0 it is inverted.',
     label: 'Look speed',
-    ...looks,
+    ...whenTurned,
   }),
   pitchLimit: angle(1.4, {
     min: 0,
     max: Math.PI / 2,
     help: 'Greatest angle of the view above or below the horizon.',
     label: 'Pitch limit',
-    ...looks,
+    ...whenTurned,
   }),
 };

@@ -5,7 +5,7 @@ const solid = { visibleWhen: { field: 'sensor', equals: [false] }, group: 'Surfa
 
 import { boolean, choice, number, vector3 } from '@farol/editing/fields';
 
-/** The fields of a Collider. */
+/** A Collider's shape, size, surface and filters, as the inspector shows them. */
 export const colliderFields = {
   shape: choice('box', [...simple, 'hull', 'mesh'], {
     help: 'A hull is the smallest shape without hollows round the mesh; a mesh has every triangle, and cannot be that of a dynamic body.',

@@ -9,7 +9,7 @@ const spring = { visibleWhen: { field: 'type', equals: ['spring'] }, group: 'Spr
 
 import { angle, boolean, choice, number, object, vector3 } from '@farol/editing/fields';
 
-/** The fields of a Joint. */
+/** A Joint's kind, other body, axis, limits and motor, as the inspector shows them. */
 export const jointFields = {
   type: choice('hinge', ['fixed', 'hinge', 'ball', 'slider', 'spring'], {
     help: 'What the two bodies may do to each other: nothing, turn about an axis or a point, slide along an axis, or keep a distance.',

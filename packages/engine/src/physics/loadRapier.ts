@@ -19,7 +19,7 @@ export function loadRapier(): Promise<Rapier> {
       // npm may have resolved another package's version, such as the 0.12 of @types/three
       if (!rapier.version().startsWith(RAPIER)) {
         throw new Error(
-          `Physics needs @dimforge/rapier3d-compat ${RAPIER}x; this is ${rapier.version()}. Install it: npm install @dimforge/rapier3d-compat@${RAPIER}0`,
+          `Physics needs @dimforge/rapier3d-compat ${RAPIER}x; ${rapier.version()} is loaded. Install it: npm install @dimforge/rapier3d-compat@${RAPIER}0`,
         );
       }
       return rapier;

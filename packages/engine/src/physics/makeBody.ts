@@ -27,7 +27,7 @@ export function makeBody(rapier: Rapier, world: World, object: GameObject, compo
   placeOf(object.object3D, place, turn);
   if (![...place, ...turn].every(Number.isFinite)) {
     throw new Error(
-      `The RigidBody of '${shortText(object.name)}' has no valid position: its object, or one above it, has a scale of 0 or a value that is not a finite number.`,
+      `The RigidBody of '${shortText(object.name)}' has no valid position: its object, or one above it, has a scale of 0 or a value that is not finite. Set other values.`,
     );
   }
   const { RigidBodyDesc } = rapier;

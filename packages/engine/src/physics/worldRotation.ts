@@ -1,6 +1,6 @@
 import { type Object3D, Quaternion, type Vector3 } from 'three';
 
-const own = new Quaternion();
+const localRotation = new Quaternion();
 
 /**
  * The rotation of an object in the world without scale or shear: the product of the rotations from the scene down,
@@ -14,7 +14,7 @@ export function worldRotation(object: Object3D | null, rotation: Quaternion, sig
   }
   worldRotation(object.parent, rotation, signs);
   const { quaternion, scale } = object;
-  rotation.multiply(mirrored(own.copy(quaternion), signs));
+  rotation.multiply(mirrored(localRotation.copy(quaternion), signs));
   if (scale.x < 0) signs.x = -signs.x;
   if (scale.y < 0) signs.y = -signs.y;
   if (scale.z < 0) signs.z = -signs.z;

@@ -101,7 +101,7 @@ export class PictureEffects {
     const { farol, settings } = this;
     if (settings === null) return;
     farol.antialias = false; // an effect named by the scene's settings smooths edges instead
-    this.names = this.isSuspended ? [] : this.wanted(settings);
+    this.names = this.isSuspended ? [] : this.neededEffects(settings);
     const missing = this.names.flatMap((name) => late.get(name) ?? []).filter(({ code }) => code === null);
     if (missing.length > 0) {
       Promise.all(missing.map((each) => each.load())).then(() => this.refresh(), this.failed);
@@ -127,7 +127,7 @@ export class PictureEffects {
     }
   }
 
-  private wanted(settings: SceneSettings): string[] {
+  private neededEffects(settings: SceneSettings): string[] {
     const { info, technique, techniques, webgl } = this.farol;
     const { pluginEffects, antialiasing } = settings;
     const abilities = techniqueAbilities(techniques, technique);

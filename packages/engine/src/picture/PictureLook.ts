@@ -8,8 +8,8 @@ import { toneMappings } from '../settings/toneMappings';
 /** Exposure by how bright the picture is. */
 export interface AutomaticExposure {
   /** Exposure values (ISO 100) between which it stays. */
-  readonly least: number;
-  readonly most: number;
+  readonly minEV: number;
+  readonly maxEV: number;
   /** Time constant of adaptation (s); 0 for at once. */
   readonly time: number;
 }
@@ -29,7 +29,7 @@ export class PictureLook {
   focusBlur = 0;
 
   /** Takes what the scene says, and what the camera that is looked through says otherwise. */
-  take(settings: SceneSettings, camera: CameraComponent | null): this {
+  follow(settings: SceneSettings, camera: CameraComponent | null): this {
     const own = camera instanceof Camera ? camera : null;
     const toneMapping = own === null || own.toneMapping === 'scene' ? settings.toneMapping : own.toneMapping;
     this.toneMapping = toneMappings[toneMapping];
@@ -45,8 +45,8 @@ export class PictureLook {
   private takeExposure(settings: SceneSettings, own: Camera | null): void {
     const by = own === null || own.exposureBy === 'scene' ? settings : own;
     const isAutomatic = by.exposureBy === 'automatic';
-    const { exposureLeast: least, exposureMost: most, exposureTime: time } = by;
-    this.automatic = isAutomatic ? { least, most, time } : null;
+    const { exposureLeast: minEV, exposureMost: maxEV, exposureTime: time } = by;
+    this.automatic = isAutomatic ? { minEV, maxEV, time } : null;
     const factor = exposureOf(by) ?? (isAutomatic ? 1 : settings.exposure);
     this.exposure = factor * (own === null ? 1 : 2 ** own.exposureCompensation);
     // without tone mapping three leaves the exposure out

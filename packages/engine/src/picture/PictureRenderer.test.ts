@@ -266,15 +266,15 @@ test('a camera has the focus of the scene, none, or its own', () => {
   const look = new PictureLook();
   const camera = new Camera();
   Object.assign(settings, { depthOfField: true, focusDistance: 7, toneMapping: 'agx' });
-  expect(look.take(settings, null)).toMatchObject({ depthOfField: true, focusDistance: 7 });
-  expect(look.take(settings, camera)).toMatchObject({ depthOfField: true, toneMapping: toneMappings.agx });
+  expect(look.follow(settings, null)).toMatchObject({ depthOfField: true, focusDistance: 7 });
+  expect(look.follow(settings, camera)).toMatchObject({ depthOfField: true, toneMapping: toneMappings.agx });
   camera.set('depthOfField', 'off');
-  expect(look.take(settings, camera).depthOfField).toBe(false);
+  expect(look.follow(settings, camera).depthOfField).toBe(false);
   settings.depthOfField = false;
   camera.set('depthOfField', 'own');
   camera.set('focusDistance', 3);
   camera.set('toneMapping', 'none');
-  expect(look.take(settings, camera)).toMatchObject({
+  expect(look.follow(settings, camera)).toMatchObject({
     depthOfField: true,
     focusDistance: 3,
     toneMapping: NoToneMapping,

@@ -99,7 +99,7 @@ export class PictureRenderer {
   draw(scene: Scene, camera: Camera, component: CameraComponent | null): void {
     const { farol, look } = this;
     this.last.begin(scene);
-    look.take(scene.settings, component);
+    look.follow(scene.settings, component);
     const chain = farol.view === 'final' ? this.chainFor(scene) : null;
     this.noticeTones(chain);
     if (chain === null) this.renderPlain(farol, scene, camera);
@@ -109,7 +109,7 @@ export class PictureRenderer {
 
   /** As `draw`, but by another painter, with the scene's tone mapping and without effects. */
   drawBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null): void {
-    this.look.take(scene.settings, component);
+    this.look.follow(scene.settings, component);
     this.renderPlain(painter, scene, camera);
   }
 
@@ -160,7 +160,7 @@ export class PictureRenderer {
       skyReady?.then(this.redraw, this.failed);
     }
     if (!this.followsRendering) return;
-    if (settings.technique !== this.technique) this.take(settings.technique);
+    if (settings.technique !== this.technique) this.setTechnique(settings.technique);
     if (settings.quality !== this.quality) farol.quality = this.quality = settings.quality;
     if (settings.frameBudget !== this.frameBudget) {
       this.frameBudget = settings.frameBudget;
@@ -176,7 +176,7 @@ export class PictureRenderer {
    * Sets the renderer's technique; one that is unknown, or that the device cannot run, is reported and replaced by
    * 'auto'.
    */
-  private take(technique: string): void {
+  private setTechnique(technique: string): void {
     const { farol } = this;
     this.technique = technique;
     try {

@@ -39,8 +39,8 @@ export function componentKey(objectId: string, componentId: string): string {
 export const keyOf = (component: Component): string => componentKey(component.gameObject.id, component.id);
 
 /** Paths of values that are each instance's own: position, rotation and name of its root. */
-const own: ReadonlySet<string> = new Set(['name', 'Transform.position', 'Transform.rotation']);
+const instancePaths: ReadonlySet<string> = new Set(['name', 'Transform.position', 'Transform.rotation']);
 
 /** Whether a value is never an override, but each instance's own. @param path - 'name', 'Light.intensity' */
 export const isOwnOfInstance = (source: string, prefab: string, path: string): boolean =>
-  source === prefab && own.has(path);
+  source === prefab && instancePaths.has(path);

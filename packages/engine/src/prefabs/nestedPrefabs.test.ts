@@ -30,7 +30,7 @@ describe('a prefab within another', () => {
     run(planApplyAll(lamp));
     for (const each of [first, second]) {
       expect(each.children.map((child) => lightOf(child).intensity)).toEqual([6, 11]);
-      expect(overridesOf(each)).toEqual({ fields: [], others: [] });
+      expect(overridesOf(each)).toEqual({ fields: [], structural: [] });
     }
     expect(place(streetData).children.map((child) => lightOf(child).intensity)).toEqual([6, 11]);
   });

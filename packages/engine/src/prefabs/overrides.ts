@@ -20,7 +20,7 @@ export interface FieldOverride {
 export interface PrefabOverrides {
   readonly fields: readonly FieldOverride[];
   /** Differences between instance and prefab that are not field values: 'Lamp (active)', 'Lamp/Light added', 'Bulb removed'. */
-  readonly others: readonly string[];
+  readonly structural: readonly string[];
 }
 
 interface Source {
@@ -64,7 +64,7 @@ export function fieldOverride(component: Component, field: string): FieldOverrid
 /** Everything by which an instance differs from its prefab. @param root - of the instance */
 export function overridesOf(root: GameObject): PrefabOverrides {
   const source = sourceOf(root);
-  if (!source) return { fields: [], others: [] };
+  if (!source) return { fields: [], structural: [] };
   const { prefab } = source;
   const instances = objectsBySource(root);
   const fields: FieldOverride[] = [];
@@ -97,5 +97,5 @@ export function overridesOf(root: GameObject): PrefabOverrides {
       if (instances.get(child.prefabLink?.source ?? '') !== child) others.push(`${child.name} added`);
     }
   }
-  return { fields, others };
+  return { fields, structural: others };
 }

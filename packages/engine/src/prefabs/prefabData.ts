@@ -39,7 +39,7 @@ export function valueIn(
   return field.kind === 'object' && typeof value === 'string' ? (ids.get(value) ?? null) : value;
 }
 
-/** Fields that decide which views a component has: see `Field.viewOf`. */
+/** Fields whose value decides which fields with `Field.viewOf` a component has. */
 const sourcesOfViews = ['surface', 'model', 'parts'];
 
 /**

@@ -19,8 +19,8 @@ describe('an instance', () => {
     expect(lightOf(other).intensity).toBe(5);
     expect(other.id).not.toBe(lamp.id);
     expect(lightOf(other).id).not.toBe(lightOf(lamp).id);
-    expect(overridesOf(lamp)).toEqual({ fields: [], others: [] });
-    expect(overridesOf(other)).toEqual({ fields: [], others: [] });
+    expect(overridesOf(lamp)).toEqual({ fields: [], structural: [] });
+    expect(overridesOf(other)).toEqual({ fields: [], structural: [] });
   });
 
   test('follows a field of the prefab, unless it has a value of its own', () => {
@@ -61,7 +61,7 @@ describe('an instance', () => {
     const other = place(prefab);
     other.transform.position = [0, 0, 9];
     other.name = 'Mine';
-    expect(overridesOf(other)).toEqual({ fields: [], others: [] });
+    expect(overridesOf(other)).toEqual({ fields: [], structural: [] });
     lamp.transform.position = [4, 4, 4];
     lamp.name = 'Renamed';
     run(planApplyAll(lamp));
@@ -79,13 +79,13 @@ describe('an instance', () => {
     lamp.add(shade);
     lamp.addComponent(RandomMovement, { speed: 3 });
     lamp.removeComponent(lamp.getComponent(ObjectRenderer)!);
-    expect(overridesOf(lamp).others.toSorted()).toEqual([
+    expect(overridesOf(lamp).structural.toSorted()).toEqual([
       'Lamp/ObjectRenderer removed',
       'Lamp/RandomMovement added',
       'Shade added',
     ]);
     run(planApplyAll(lamp));
-    expect(overridesOf(lamp)).toEqual({ fields: [], others: [] });
+    expect(overridesOf(lamp)).toEqual({ fields: [], structural: [] });
     expect(other.find('Shade')!.getComponent(ObjectRenderer)!.mesh).toBe('cone');
     expect(other.getComponent(RandomMovement)!.speed).toBe(3);
     expect(other.getComponent(ObjectRenderer)).toBeNull();

@@ -18,7 +18,7 @@ interface Memory {
   /** Values that were set, also of fields that the present class does not have. */
   readonly kept: Map<string, FieldValue>;
   /** Initial values of the present class's fields. */
-  given: Values;
+  initialValues: Values;
   /** Values at the time the component left each class, by the class's origin. */
   readonly pasts: Map<object | null, Past>;
 }
@@ -55,16 +55,16 @@ export class KeptValues {
     }
     const given = after.authoredValues();
     memory.pasts.set(from, { left, next: given, kept: keptNow });
-    memory.given = given;
+    memory.initialValues = given;
     this.memories.set(after, memory);
   }
 
   /** Notes which values were set since the component got its class. */
   private note(component: Component): Memory {
-    const memory: Memory = this.memories.get(component) ?? { kept: new Map(), given: {}, pasts: new Map() };
+    const memory: Memory = this.memories.get(component) ?? { kept: new Map(), initialValues: {}, pasts: new Map() };
     for (const [name, field] of Object.entries(component.fields)) {
       const value = component.getAuthored(name);
-      const given = Object.hasOwn(memory.given, name) ? memory.given[name] : field.default;
+      const given = Object.hasOwn(memory.initialValues, name) ? memory.initialValues[name] : field.default;
       if (!sameValue(value, given)) memory.kept.set(name, value);
     }
     return memory;
@@ -88,7 +88,10 @@ function valuesFor(
     try {
       values = type.migrate({ ...values }, version);
     } catch (error) {
-      console.error(`${type.typeName}: its migration to version ${type.version} failed.`, error);
+      console.error(
+        `${type.typeName}: its migration to version ${type.version} failed; mend its static migrate.`,
+        error,
+      );
     }
   }
   const fitting = Object.entries(values) as [string, FieldValue][];

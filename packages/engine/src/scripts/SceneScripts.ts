@@ -100,7 +100,7 @@ export class SceneScripts {
     private readonly options: SceneScriptsOptions,
   ) {
     this.running = options.isOn ?? true;
-    // `import * as` takes modules with this mark as they are
+    // `import * as` does not wrap modules with this property
     const given = Object.entries(options.modules).map(
       ([name, module]) => [name, { ...module, __esModule: true }] as const,
     );
@@ -189,7 +189,7 @@ export class SceneScripts {
     if (this.running && this.scene.isSimulated) this.apply(true);
   }
 
-  /** Ends it: the classes leave the registry. Components stay what they are. */
+  /** Removes the scripts' classes from the registry. Components keep their classes. */
   dispose(): void {
     this.isDisposed = true;
     for (const end of this.endings) end();

@@ -1,7 +1,7 @@
 /** Longest time (ms) that loops of scripts may take without the page getting its turn. */
 export const LOOP_LIMIT = 2000;
 
-/** Turns of promises, each with a loop, without a pause of the page, from which on they count as one that does not end. */
+/** Number of microtasks with a loop, in a row without a task of the page, that count as an endless loop. */
 const TURNS = 100;
 
 /** Time at which scripts began to run in this task of the page (ms); 0 until a loop asks. */

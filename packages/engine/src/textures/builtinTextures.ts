@@ -14,7 +14,7 @@ interface Look {
   readonly depth?: number;
 }
 
-const looks: Readonly<Record<string, Look>> = {
+const patterns: Readonly<Record<string, Look>> = {
   checker: { pattern: () => checker([235, 235, 235], [40, 40, 44], 8) },
   sky: { pattern: sky },
   marble: { pattern: () => marble([232, 226, 214], 11), depth: 0.02 },
@@ -39,7 +39,7 @@ export const textureName = (name: string, size: number): string =>
 /** The generated textures: a colour map 'stone' and a normal map 'stone-normal' for each look, at each size. */
 export const builtinTextures: Readonly<Record<string, TextureSource>> = Object.fromEntries(
   textureSizes.flatMap((size) =>
-    Object.entries(looks).flatMap(([name, { pattern, depth }]): [string, TextureSource][] => {
+    Object.entries(patterns).flatMap(([name, { pattern, depth }]): [string, TextureSource][] => {
       const colour: TextureSource = { type: 'texture', make: () => makeColourTexture(pattern(), size) };
       if (depth === undefined) return [[textureName(name, size), colour]];
       const normal: TextureSource = { type: 'texture', make: () => makeNormalTexture(pattern(), size, depth) };

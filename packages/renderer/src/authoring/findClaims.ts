@@ -21,7 +21,7 @@ export function findClaims(text: string): Claim[] {
     if (claim === undefined) return [];
     const parts = /^((?:.*;)?)\s*(.+?)\s*==\s*(.+)$/.exec(claim);
     if (parts === null)
-      throw new Error(`Line ${i + 1}: the claim "${claim}" is not of the form "expression == expression".`);
+      throw new Error(`Line ${i + 1}: the claim "${claim}" is no equation; write "expression == expression".`);
     return { line: i + 1, text: claim, setup: parts[1], left: parts[2], right: parts[3] };
   });
 }

@@ -54,10 +54,7 @@ export interface EffectEntry {
   readonly needs?: 'depth' | 'gbuffer';
   /** Frames of a still scene after which its picture changes no more. Default 1. */
   readonly stillFrames?: number;
-  /**
-   * Fetches the class of the effect.
-   * @throws Error (as a rejection) when it cannot be fetched; try again
-   */
+  /** Fetches the class of the effect. @throws Error (as a rejection) when it cannot be fetched; try again */
   load(): Promise<EffectClass>;
 }
 

@@ -116,7 +116,7 @@ export class Frame extends FrameTarget {
   gbufferExtras: readonly GBufferAttachment[] = [];
   /** Whether all shaders of the frame can read few lights from uniforms. */
   readsFew = false;
-  /** How the technique fills the target, since three was kept from clearing it; null where three has cleared it. */
+  /** Pixels that the technique fills in place of three's clear; null where three has cleared the target. */
   fills: Fills | null = null;
 
   // ---- Set while the frame is drawn ----

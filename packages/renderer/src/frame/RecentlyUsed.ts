@@ -10,38 +10,38 @@ const MOST = 3;
 export class RecentlyUsed<Key> {
   private current: Key | null = null;
   /** Time of last use (ms) of each object but the one in use, in the order of these times. */
-  private readonly others = new Map<Key, number>();
+  private readonly lastUses = new Map<Key, number>();
   private timer: ReturnType<typeof setTimeout> | null = null;
 
   constructor(private readonly release: (key: Key) => void) {}
 
   /** Notes a use; call it at each. */
   use(key: Key): void {
-    const { current, others } = this;
+    const { current, lastUses } = this;
     if (key === current) return;
-    if (current !== null) others.set(current, performance.now());
+    if (current !== null) lastUses.set(current, performance.now());
     this.current = key;
-    others.delete(key);
-    for (const oldest of others.keys()) if (others.size > MOST) this.drop(oldest);
-    if (others.size > 0) this.timer ??= setTimeout(this.sweep, KEPT);
+    lastUses.delete(key);
+    for (const oldest of lastUses.keys()) if (lastUses.size > MOST) this.drop(oldest);
+    if (lastUses.size > 0) this.timer ??= setTimeout(this.sweep, KEPT);
   }
 
   /** Forgets all keys without releasing them. */
   clear(): void {
     if (this.timer !== null) clearTimeout(this.timer);
     this.timer = this.current = null;
-    this.others.clear();
+    this.lastUses.clear();
   }
 
   private drop(key: Key): void {
-    this.others.delete(key);
+    this.lastUses.delete(key);
     this.release(key);
   }
 
   private readonly sweep = (): void => {
     this.timer = null;
     const now = performance.now();
-    for (const [key, since] of this.others) if (now - since >= KEPT) this.drop(key);
-    if (this.others.size > 0) this.timer = setTimeout(this.sweep, KEPT);
+    for (const [key, since] of this.lastUses) if (now - since >= KEPT) this.drop(key);
+    if (this.lastUses.size > 0) this.timer = setTimeout(this.sweep, KEPT);
   };
 }

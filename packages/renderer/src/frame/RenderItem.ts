@@ -1,7 +1,7 @@
 import type { RenderListItem } from '../three/RenderListItem';
 
 /**
- * How an item is shaded: 'lit' by Farol's lights, one at a time; 'shadow-mask' by three's `getShadowMask()`, which shows
+ * Shading of an item: 'lit' by Farol's lights, one at a time; 'shadow-mask' by three's `getShadowMask()`, which shows
  * Farol's shadows; 'nodes' by three itself, since its material is of nodes (TSL); 'unlit' by its material as it is.
  */
 export type ItemShading = 'lit' | 'unlit' | 'shadow-mask' | 'nodes';

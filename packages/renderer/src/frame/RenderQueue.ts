@@ -61,7 +61,7 @@ export class RenderQueue {
   private readonly pool: RenderItem[] = [];
   /** Layers of items that are not `layered`; 0 when lights ignore layers. */
   layers = 0;
-  /** How materials that show nothing but shadows are drawn; null while three does it. Set by `FrameLights.update`. */
+  /** Draws materials that show shadows alone (ShadowMaterial); null while three does it. Set by `FrameLights.update`. */
   shadowMasks: ShadowMaskMaterials | null = null;
   /** True if every opaque item is plain, and its material writes the geometry's depth. */
   covers = true;
@@ -82,9 +82,9 @@ export class RenderQueue {
   hasLitTransparents = false;
   /** Material of the frame's last item, whose properties are cached; null before the first. */
   private material: Material | null = null;
-  private look!: MaterialLook;
+  private materialLook!: MaterialLook;
   /** Looks of materials; those of earlier frames are renewed. */
-  private readonly looks = new WeakMap<Material, MaterialLook>();
+  private readonly materialLooks = new WeakMap<Material, MaterialLook>();
   private frame = 0;
   private used = 0;
   private opaques = 0;
@@ -140,7 +140,7 @@ export class RenderQueue {
     item.renderOrder = object.renderOrder;
     item.z = z;
     if (material !== this.material) this.lookAt(material);
-    const { isOrderSensitive, isPlainOpaque, ownShader, shading } = this.look;
+    const { isOrderSensitive, isPlainOpaque, ownShader, shading } = this.materialLook;
     const lit = shading === 'lit';
     item.shading = shading;
     item.ownShader = ownShader;
@@ -166,14 +166,14 @@ export class RenderQueue {
 
   /** Looks at the material of the items that follow, once a frame: none of the host's code runs between items. */
   private lookAt(material: Material): void {
-    let look = this.looks.get(material);
-    if (look === undefined) this.looks.set(material, (look = {} as MaterialLook));
+    let look = this.materialLooks.get(material);
+    if (look === undefined) this.materialLooks.set(material, (look = {} as MaterialLook));
     if (look.frame !== this.frame) {
       const nodes = hasNodes(material);
       const ownShader = nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
       const shading = nodes ? 'nodes' : this.shadingOf(material, ownShader);
       if (ownShader && shading !== 'lit' && !nodes && (material as ShaderMaterial).lights === true)
-        this.refused.look(material as ShaderMaterial);
+        this.refused.check(material as ShaderMaterial);
       look.frame = this.frame;
       look.ownShader = ownShader;
       look.shading = shading;
@@ -181,10 +181,10 @@ export class RenderQueue {
       look.isOrderSensitive = isOrderSensitive(material);
     }
     this.material = material;
-    this.look = look;
+    this.materialLook = look;
   }
 
-  /** How an item without nodes is shaded. @param ownShader - whether its shader is not three's as it is */
+  /** Shading of an item without nodes. @param ownShader - whether its shader is not three's as it is */
   private shadingOf(material: Material, ownShader: boolean): ItemShading {
     const lit = !threeChunks.lights && isLit(material);
     if (!lit && this.shadowMasks?.shows(material) !== true) return 'unlit';

@@ -28,7 +28,7 @@ describe('resources', () => {
   });
 
   it('that nobody has written are an error with the sentence of the check at setup', () => {
-    const message = 'Technique "mine": pass "lists" reads "scene-depth", which no earlier pass writes.';
+    const message = 'Technique "mine": pass "lists" reads "scene-depth", which no earlier pass writes; add one.';
     const resources = table();
     resources.use('mine', reader);
     expect(() => resources.get('scene-depth')).toThrow(message);

@@ -68,7 +68,7 @@ interface Entry {
 
 /** "Technique "x": pass "y" reads "z", which no earlier pass writes." */
 export function nobodyWrites(technique: string, user: string, resource: Resource): Error {
-  return new Error(`${place(technique, user)} reads "${resource}", which no earlier pass writes.`);
+  return new Error(`${place(technique, user)} reads "${resource}", which no earlier pass writes; add one.`);
 }
 
 function place(technique: string, user: string): string {
@@ -114,7 +114,7 @@ export class ResourceTable {
     const value = this.find(name);
     if (value !== undefined) return value;
     if (this.user !== null) throw nobodyWrites(this.technique, this.user.name, name);
-    throw new Error(`No pass of technique "${this.technique}" writes "${name}" before an effect reads it.`);
+    throw new Error(`Technique "${this.technique}" writes no "${name}", which an effect reads; use another technique.`);
   }
 
   /**

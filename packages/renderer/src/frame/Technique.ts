@@ -11,11 +11,11 @@ export interface Technique {
   readonly help: string;
   /** Order of lights in the table that the passes need. */
   readonly lightOrder: LightOrder;
-  /** True if it draws to float colour targets. */
+  /** Whether the technique draws to float colour targets. */
   readonly needsFloatTargets: boolean;
   /** Pixels that the technique writes, in place of a clear by three; null for none. Default 'behind'. */
   readonly fills?: Fills | null;
-  /** Whether all its shaders can read few lights from uniforms (fewLights.glsl), in place of a texture. Default false. */
+  /** Whether all shaders of the technique can read few lights from uniforms (fewLights.glsl), in place of a texture. Default false. */
   readonly readsFew?: boolean;
   /**
    * Late code of the technique, fetched at its first use; until it is loaded the technique that drew the scene last draws,
@@ -24,8 +24,8 @@ export interface Technique {
    */
   readonly lazy?: Lazy<object>;
   /**
-   * `gbuffer`, or else `scene-depth` of the picture's size, if the passes write it; read before `lazy` is loaded.
-   * Default none: without late code the passes tell.
+   * Resources that the passes write, of `gbuffer` and `scene-depth` at full size, known before `lazy` is loaded.
+   * Default: asked from the passes, which a technique without late code has.
    */
   readonly writes?: readonly Resource[];
   /** The passes, in the order in which they draw; each renderer has its own. @throws Error while `lazy` is not there */

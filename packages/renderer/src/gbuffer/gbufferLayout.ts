@@ -22,7 +22,7 @@ export interface GBufferAttachment extends TexelFormat {
   readonly name: string;
   /** GLSL precision of the sampler uniform that reads it. Default 'highp'. */
   readonly precision?: 'highp' | 'lowp';
-  /** Storage with the quality 'lite'. Default as otherwise. */
+  /** Format with the quality 'lite'. Default: the attachment's own. */
   readonly lite?: TexelFormat;
 }
 

@@ -61,19 +61,9 @@ type Lobes = MeshPhysicalMaterial & { dispersion?: number; retroreflectivity?: n
 
 /** True for physical materials that add only index of refraction and a grey specular to standard ones. */
 function isPlainPhysical(material: MeshPhysicalMaterial & MeshStandardMaterial): boolean {
-  const m = material as Lobes;
-  const { specularColor: s } = m;
-  return (
-    m.clearcoat === 0 &&
-    m.sheen === 0 &&
-    m.iridescence === 0 &&
-    m.anisotropy === 0 &&
-    m.transmission === 0 &&
-    !m.dispersion &&
-    !m.retroreflectivity &&
-    !m.diffuseRoughness &&
-    s.r === s.g &&
-    s.g === s.b &&
-    m.specularColorMap === null
-  );
+  const { clearcoat, sheen, iridescence, anisotropy, transmission, specularColor: s } = material;
+  const { dispersion, retroreflectivity, diffuseRoughness } = material as Lobes;
+  if (clearcoat || sheen || iridescence || anisotropy || transmission) return false;
+  if (dispersion || retroreflectivity || diffuseRoughness) return false;
+  return s.r === s.g && s.g === s.b && material.specularColorMap === null;
 }

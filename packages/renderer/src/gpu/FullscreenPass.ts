@@ -70,17 +70,17 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
   /** The pass's own uniforms. */
   readonly uniforms: U;
   private readonly triangle = new FullscreenMesh();
-  private readonly own: PassTarget | null;
+  private readonly passTarget: PassTarget | null;
   private made: PassMaterial | OutputMaterial | null = null;
 
   constructor(private options: FullscreenPassOptions<U>) {
     this.uniforms = options.uniforms ?? ({} as U);
-    this.own = options.target === undefined ? null : new PassTarget(options.target);
+    this.passTarget = options.target === undefined ? null : new PassTarget(options.target);
   }
 
   /** Bytes of the pass's own target. */
   get bytes(): number {
-    return this.own?.bytes ?? 0;
+    return this.passTarget?.bytes ?? 0;
   }
 
   /** The material, to set blending or depth state of a draw. */
@@ -117,15 +117,15 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
    * @throws Error when the options name no target
    */
   bindOwn(drawer: MeshDrawer, width: number, height: number): WebGLRenderTarget {
-    if (this.own === null) throw new Error(`Farol: the pass "${this.options.program}" has no target; give one.`);
-    const target = this.own.of(width, height);
+    if (this.passTarget === null) throw new Error(`Farol: the pass "${this.options.program}" has no target; give one.`);
+    const target = this.passTarget.of(width, height);
     drawer.bind(target);
     return target;
   }
 
   /** Texture of the pass's own target; null before the first draw to it. */
   get texture(): Texture | null {
-    return this.own?.current?.texture ?? null;
+    return this.passTarget?.current?.texture ?? null;
   }
 
   /** Compiles the program for the bound target, drawing nothing, so that no later frame waits for it. */
@@ -142,7 +142,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
 
   /** Frees target and program. */
   dispose(): void {
-    this.own?.dispose();
+    this.passTarget?.dispose();
     this.made?.dispose();
     this.made = null;
   }

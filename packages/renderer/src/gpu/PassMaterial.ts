@@ -35,7 +35,7 @@ const GLSL1_NAMES = '#define texture2D texture\n#define varying in\n';
 
 /** Material whose `version` counts changes of three's chunks too. */
 interface Versioned {
-  /** Changes of the material itself. */
+  /** Number of changes of the material, without those of three's chunks. */
   ownVersion: number;
 }
 

@@ -12,6 +12,11 @@ it.each([
   );
 });
 
+it('takes a renderer whose context is of another window', () => {
+  const webgl = { isWebGLRenderer: true, getContext: () => ({}) } as unknown as WebGLRenderer;
+  expect(() => checkDevice(webgl, false)).not.toThrow();
+});
+
 /** A renderer whose device has some extensions, as three knows them. */
 const deviceOf = (names: readonly string[], isLost: boolean): WebGLRenderer =>
   ({

@@ -6,9 +6,8 @@ import type { WebGLRenderer } from 'three';
  * @throws Error that names what is missing and the mend
  */
 export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
-  // JavaScript hosts may pass anything
-  const given = webgl as { isWebGLRenderer?: boolean } | undefined;
-  if (!given?.isWebGLRenderer || !(webgl.getContext() instanceof WebGL2RenderingContext))
+  // JavaScript hosts may pass anything; a WebGLRenderer has WebGL 2, in whatever window its canvas is
+  if (!(webgl as { isWebGLRenderer?: boolean } | undefined)?.isWebGLRenderer)
     throw new Error('Farol: needs a WebGLRenderer with WebGL 2, not a WebGPURenderer.');
   const lacks = floatTargets ? lacksFloatTargets(webgl) : null;
   if (lacks !== null)

@@ -12,7 +12,7 @@ const TURNS = 3;
 /** One of the array's textures, with the version of the array that it holds. */
 interface Turn {
   readonly texture: DataTexture;
-  seen: number;
+  uploadedVersion: number;
 }
 
 /** A LightArray on the GPU of one renderer: uploads only rows that changed. */
@@ -31,7 +31,7 @@ export class FieldArray {
       const texture = new DataTexture(data, WIDTH, rows, RGBAFormat, FloatType);
       texture.magFilter = texture.minFilter = NearestFilter;
       texture.needsUpdate = true;
-      return { texture, seen: 0 };
+      return { texture, uploadedVersion: 0 };
     });
   }
 
@@ -48,16 +48,17 @@ export class FieldArray {
   upload(webgl: WebGLRenderer, rows: number): void {
     this.webgl = webgl;
     this.uploadedBytes = 0;
-    if (this.source.hasChanged(this.turns[this.current].seen, rows)) this.current = (this.current + 1) % TURNS;
+    if (this.source.hasChanged(this.turns[this.current].uploadedVersion, rows))
+      this.current = (this.current + 1) % TURNS;
     const turn = this.turns[this.current];
     if (textureHandle(webgl, turn.texture) === undefined) {
       webgl.initTexture(turn.texture);
-      turn.seen = this.source.whole();
+      turn.uploadedVersion = this.source.whole();
       this.uploadedBytes = this.bytes / TURNS;
-    } else if (this.source.hasChanged(turn.seen, rows)) {
+    } else if (this.source.hasChanged(turn.uploadedVersion, rows)) {
       bindTexture(webgl, WebGL2RenderingContext.TEXTURE_2D, textureHandle(webgl, turn.texture)!);
       unpackAsIs(webgl, webgl.getContext() as WebGL2RenderingContext);
-      turn.seen = this.source.changes(turn.seen, rows, this.send);
+      turn.uploadedVersion = this.source.changes(turn.uploadedVersion, rows, this.send);
       unbindTexture(webgl);
     }
   }

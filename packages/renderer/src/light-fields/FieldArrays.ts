@@ -14,11 +14,11 @@ interface Arrays {
 /** Keeps each field's arrays as textures of one renderer, until the field is disposed. */
 export class FieldArrays {
   private readonly known = new Map<LightField, Arrays>();
-  private held = 0;
-  private readonly given: FieldSources = { sphere: null, emission: null, cone: null, width: 1 };
+  private heldCount = 0;
+  private readonly fieldSources: FieldSources = { sphere: null, emission: null, cone: null, width: 1 };
 
   get bytes(): number {
-    return this.held;
+    return this.heldCount;
   }
 
   /** Uploads a field's changes. @param rows - number of rows of 128 lights @returns bytes uploaded */
@@ -35,11 +35,11 @@ export class FieldArrays {
   sourcesOf(field: LightField): FieldSources {
     const { textures } = field;
     if (textures !== null) {
-      this.given.sphere = textures.sphere;
-      this.given.emission = textures.emission;
-      this.given.cone = textures.cone ?? null;
-      this.given.width = widthOf(textures.sphere);
-      return this.given;
+      this.fieldSources.sphere = textures.sphere;
+      this.fieldSources.emission = textures.emission;
+      this.fieldSources.cone = textures.cone ?? null;
+      this.fieldSources.width = widthOf(textures.sphere);
+      return this.fieldSources;
     }
     const { spheres, emissions, cones, sources } = this.known.get(field)!;
     sources.sphere = spheres.texture;
@@ -61,7 +61,7 @@ export class FieldArrays {
       sources: { sphere: null, emission: null, cone: null, width: 128 },
     };
     this.known.set(field, arrays);
-    this.held += bytesOf(arrays);
+    this.heldCount += bytesOf(arrays);
     field.addEventListener('dispose' as never, this.forget);
     return arrays;
   }
@@ -71,7 +71,7 @@ export class FieldArrays {
   private free(field: LightField): void {
     const arrays = this.known.get(field)!;
     for (const array of [arrays.spheres, arrays.emissions, arrays.cones]) array?.dispose();
-    this.held -= bytesOf(arrays);
+    this.heldCount -= bytesOf(arrays);
     this.known.delete(field);
     field.removeEventListener('dispose' as never, this.forget);
   }

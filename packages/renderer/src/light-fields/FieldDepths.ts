@@ -25,7 +25,7 @@ interface Told {
  */
 export class FieldDepths {
   /** Depth (m) at which the slices begin, or its logarithm to base 2. */
-  least = LEAST;
+  nearest = LEAST;
   extent = EXTENT;
   isLogarithmic = true;
   /** Sum of the shares of the picture that lights cover. */
@@ -44,18 +44,18 @@ export class FieldDepths {
   add(field: LightField, camera: Camera): void {
     let told = this.known.get(field);
     if (told === undefined) this.known.set(field, (told = { age: 0, coverage: 0, near: Infinity, far: -Infinity }));
-    if (told.age++ % LASTS === 0) this.look(field, camera, told);
+    if (told.age++ % LASTS === 0) this.measure(field, camera, told);
     this.coverage += told.coverage;
     this.near = Math.min(this.near, told.near);
     this.far = Math.max(this.far, told.far);
   }
 
   end(): void {
-    this.least = this.near < this.far ? this.near : this.isLogarithmic ? LEAST : 0;
+    this.nearest = this.near < this.far ? this.near : this.isLogarithmic ? LEAST : 0;
     this.extent = this.near < this.far ? this.far - this.near : this.isLogarithmic ? EXTENT : 100;
   }
 
-  private look(field: LightField, { projectionMatrix, matrixWorldInverse }: Camera, told: Told): void {
+  private measure(field: LightField, { projectionMatrix, matrixWorldInverse }: Camera, told: Told): void {
     const count = fieldCount(field);
     told.near = Infinity;
     told.far = -Infinity;

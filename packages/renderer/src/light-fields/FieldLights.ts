@@ -76,7 +76,7 @@ export class FieldLights {
     for (let i = 0; i < 6; i++) uniforms.farol_fieldPlanes.value[i].fromArray(planes, i * 4);
     uniforms.farol_fieldProjection.value.copy(camera.projectionMatrix);
     // cells: the lowest and highest quarters of the slices reach to infinity
-    uniforms.farol_fieldDepths.value.set(depths.least, 4 / depths.extent, depths.isLogarithmic ? 1 : 0);
+    uniforms.farol_fieldDepths.value.set(depths.nearest, 4 / depths.extent, depths.isLogarithmic ? 1 : 0);
   }
 
   /**

@@ -39,7 +39,7 @@ interface Step {
  * 32 lights have a box, by which blocks of 4 × 4 tiles leave most lights out unread, with depths those of the block too.
  */
 export class FieldLists {
-  private readonly own = {
+  private readonly passUniforms = {
     ...unprojectUniforms(),
     farol_fieldSlices: {} as FieldSlices['farol_fieldSlices'],
     farol_size: { value: new Vector2() },
@@ -81,7 +81,7 @@ export class FieldLists {
     private readonly use: TileDepthUse,
     private readonly shared: FieldSlices,
   ) {
-    this.own.farol_fieldSlices = shared.farol_fieldSlices;
+    this.passUniforms.farol_fieldSlices = shared.farol_fieldSlices;
     this.blocks = this.step('blocks of light lists', 'fieldBlocks', use === 'none' ? {} : { FAROL_BLOCK_DEPTH: '' });
     this.fine = this.step('light lists', 'tileMask', DEFINES[use]);
     this.steps = [this.boxes, this.depthBlocks, this.depths, this.blocks, this.fine, this.summary];
@@ -90,7 +90,7 @@ export class FieldLists {
   get bytes(): number {
     const { boxes, slices, steps } = this;
     let bytes = slices.target.width * slices.target.height * 4 + boxes.target.width * boxes.target.height * 16;
-    // `boxes` is among the steps too: its target has two attachments of 16 bytes
+    // twice for `boxes`, which is in `steps` too: its target has two attachments of 16 bytes a texel
     for (let i = 0; i < steps.length; i++) bytes += steps[i].target.width * steps[i].target.height * 16;
     return bytes;
   }
@@ -146,20 +146,20 @@ export class FieldLists {
   }
 
   private setUniforms(frame: Frame, x: number, y: number, quads: number): void {
-    const { own } = this;
+    const { passUniforms } = this;
     const { uniforms, queue } = frame;
     setTiles(uniforms.farol_tiles.value, x, y, quads);
     uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
-    setUnprojectUniforms(own, frame.camera, frame.webgl);
-    own.farol_size.value.set(frame.width, frame.height);
-    own.farol_beyond.value = queue.reachesFar ? Math.max(-1e30, queue.farthest) : 1e38;
-    own.farol_coarseMask.value = this.blocks.target.texture;
-    own.farol_tileDepth.value = own.farol_fieldTileDepth.value = this.depths.target.texture;
-    own.farol_blocks.value = this.depthBlocks.target.texture;
-    own.farol_tileMask.value = this.fine.target.texture;
-    own.farol_boxLows.value = this.boxes.target.textures[0];
-    own.farol_boxHighs.value = this.boxes.target.textures[1];
-    own.farol_sceneDepth.value = this.use === 'none' ? null : frame.resources.get('scene-depth');
+    setUnprojectUniforms(passUniforms, frame.camera, frame.webgl);
+    passUniforms.farol_size.value.set(frame.width, frame.height);
+    passUniforms.farol_beyond.value = queue.reachesFar ? Math.max(-1e30, queue.farthest) : 1e38;
+    passUniforms.farol_coarseMask.value = this.blocks.target.texture;
+    passUniforms.farol_tileDepth.value = passUniforms.farol_fieldTileDepth.value = this.depths.target.texture;
+    passUniforms.farol_blocks.value = this.depthBlocks.target.texture;
+    passUniforms.farol_tileMask.value = this.fine.target.texture;
+    passUniforms.farol_boxLows.value = this.boxes.target.textures[0];
+    passUniforms.farol_boxHighs.value = this.boxes.target.textures[1];
+    passUniforms.farol_sceneDepth.value = this.use === 'none' ? null : frame.resources.get('scene-depth');
   }
 
   private step(program: string, fragment: string, defines: Record<string, string> = {}): Step {
@@ -167,7 +167,7 @@ export class FieldLists {
   }
 
   private pass(program: string, fragment: string, defines: Record<string, string> = {}): FullscreenPass {
-    const { own: uniforms } = this;
+    const { passUniforms: uniforms } = this;
     return new FullscreenPass({ program, fragment, uniforms, shared: SHARED, defines, blending: NoBlending });
   }
 }

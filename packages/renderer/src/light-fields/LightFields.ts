@@ -106,7 +106,7 @@ export class LightFields implements FieldDraws {
       depths.add(field, camera);
     }
     depths.end();
-    this.slices.farol_fieldSlices.value.set(depths.least, SLICES / depths.extent, depths.isLogarithmic ? 1 : 0);
+    this.slices.farol_fieldSlices.value.set(depths.nearest, SLICES / depths.extent, depths.isLogarithmic ? 1 : 0);
   }
 
   render(): void {
@@ -182,11 +182,11 @@ export class LightFields implements FieldDraws {
   }
 }
 
-const told = new WeakSet<LightField>();
+const reported = new WeakSet<LightField>();
 
 function warnOfShadow(field: LightField): void {
-  if (told.has(field)) return;
-  told.add(field);
+  if (reported.has(field)) return;
+  reported.add(field);
   console.warn(
     `Farol: LightField "${field.name || field.uuid}" has castShadow, but its lights cast no shadows; use ` +
       `PointLights or SpotLights for those that must.`,

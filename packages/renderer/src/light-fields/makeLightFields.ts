@@ -8,18 +8,18 @@ import { LightFields } from './LightFields';
 /** GLSL texts of the microshaders of light fields, by name. */
 export const microShaders = { ...chunks };
 
-const told = new WeakSet<object>();
+const reported = new WeakSet<object>();
 
 /** Makes the draws of light fields; null, with one warning, if the device draws to no float targets. */
 export function makeLightFields(frame: Frame): LightFields | null {
   const { webgl, microshaders } = frame;
   const gl = webgl.getContext();
   if (gl.getExtension('EXT_color_buffer_float') === null) {
-    if (!told.has(gl) && !gl.isContextLost())
+    if (!reported.has(gl) && !gl.isContextLost())
       console.warn(
-        `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws to half floats alone'}: LightFields light nothing.`,
+        `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws to half floats alone'}: LightFields light nothing; use three's lights.`,
       );
-    if (!gl.isContextLost()) told.add(gl);
+    if (!gl.isContextLost()) reported.add(gl);
     return null;
   }
   addMicroShaders(microshaders, 'light-fields', microShaders);

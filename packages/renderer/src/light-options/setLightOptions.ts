@@ -46,11 +46,11 @@ function check(light: Light, name: LightOptionName, value: unknown): void {
   if (!kinds.some((kind) => `is${kind}` in light))
     throw new Error(`Farol: a ${light.type} has no ${name}; ${kinds.map((kind) => `a ${kind}`).join(' and ')} has.`);
   if (value !== undefined && !isAllowed(value))
-    throw new RangeError(`Farol: ${name} is ${said(value)}; give ${allows}.`);
+    throw new RangeError(`Farol: ${name} is ${textOf(value)}; give ${allows}.`);
 }
 
 /** Short text of a value, for messages. */
-const said = (value: unknown): string =>
+const textOf = (value: unknown): string =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
     ? 'an object'
     : typeof value === 'number'

@@ -78,7 +78,6 @@ export class LightRecords {
     this.extensions = 0;
   }
 
-  /** Writes the record of a directional light. */
   writeDirectional(record: number, light: DirectionalLight, view: Matrix4): void {
     const { table } = this;
     const at = record * FLOATS_PER_RECORD;

@@ -33,7 +33,7 @@ describe('the light table', () => {
         return table.table.data[emission + 3] >= 0;
       });
       expect(isPlain.filter((plain) => plain)).toHaveLength(1);
-      expect(table.others).toBe(1);
+      expect(table.extendedCount).toBe(1);
     },
   );
 

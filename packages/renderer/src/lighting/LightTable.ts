@@ -43,7 +43,7 @@ export class LightTable extends VisibleLights {
    */
   order: Uint32Array = new Uint32Array(64);
   /** Number of lights with a range that are not plain point lights. */
-  others = 0;
+  extendedCount = 0;
   /** Number of records of lights with a range; a grid may leave some empty. */
   bounded = 0;
   /** Number of quads (128 records), from the first on, that hold only plain point lights; set by a write 'by-depth'. */
@@ -127,7 +127,7 @@ export class LightTable extends VisibleLights {
       const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
       records.writeLocal(record++, light, x, y, z, 0, view);
     }
-    this.others = this.plainSlots ? 0 : this.slots;
+    this.extendedCount = this.plainSlots ? 0 : this.slots;
     for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, this.order[k], view);
     masks?.write(table, this.firstMask, camera);
     this.recordCount = firstExtension + records.extensions;
@@ -200,7 +200,7 @@ export class LightTable extends VisibleLights {
       const x = spheres[at];
       const y = spheres[at + 1];
       const z = spheres[at + 2];
-      if (!this.records.writeLocal(record, this.boundeds[i], x, y, z, spheres[at + 3], view)) this.others++;
+      if (!this.records.writeLocal(record, this.boundeds[i], x, y, z, spheres[at + 3], view)) this.extendedCount++;
     }
   }
 }

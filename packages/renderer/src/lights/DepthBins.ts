@@ -43,7 +43,7 @@ export class DepthBins {
   private last = new Uint16Array(0);
   private keys = new Uint16Array(0);
   private readonly starts = new Uint32Array(KEYS + 1);
-  private readonly before = new Uint32Array(BINS + 1);
+  private readonly countsBefore = new Uint32Array(BINS + 1);
   private readonly extents = new Uint32Array(EXTENTS);
   private readonly next = new Uint16Array(BINS + 1);
 
@@ -86,8 +86,8 @@ export class DepthBins {
 
   /** Finds the bins and the key of each light. */
   private locate({ shapes, count }: GridLights): void {
-    const { first, last, keys, before, shift, scale, start } = this;
-    before.fill(0);
+    const { first, last, keys, countsBefore, shift, scale, start } = this;
+    countsBefore.fill(0);
     for (let i = 0; i < count; i++) {
       const from = (floatBits(shapes[i * SHAPE + 8] + shift) - start) * scale;
       const to = (floatBits(shapes[i * SHAPE + 9] + shift) - start) * scale;
@@ -95,9 +95,9 @@ export class DepthBins {
       last[i] = Math.min(BINS - 2, to + MARGIN);
       const key = Math.min(KEYS - 1, (from + to) * 2) | 0;
       keys[i] = key;
-      before[(key >> 2) + 1]++;
+      countsBefore[(key >> 2) + 1]++;
     }
-    for (let bin = 0; bin < BINS; bin++) before[bin + 1] += before[bin];
+    for (let bin = 0; bin < BINS; bin++) countsBefore[bin + 1] += countsBefore[bin];
   }
 
   /** Sorts by counting: deep lights, of an extent above `limit`, then the others by the middle of their depths. */
@@ -122,7 +122,7 @@ export class DepthBins {
 
   /** Extent of a light: how many lights have the middle of their depths between its nearest and farthest depth. */
   private extent(i: number): number {
-    return this.before[this.last[i] + 1] - this.before[this.first[i]];
+    return this.countsBefore[this.last[i] + 1] - this.countsBefore[this.first[i]];
   }
 
   /** Counts the lights' extents in depth by size. @returns the mean extent */

@@ -1,4 +1,4 @@
-/** Depths that are told apart, from the nearest light to the farthest. */
+/** Number of depths that are told apart, from the nearest light to the farthest. */
 const KEYS = 4096;
 
 /**

@@ -1,4 +1,4 @@
-/** How a camera's picture is cut into tiles: `tile = slope × scale + offset`. */
+/** Mapping of a camera's slopes to tiles: `tile = slope × scale + offset`. */
 export class GridFrame {
   tilesX = 0;
   tilesY = 0;

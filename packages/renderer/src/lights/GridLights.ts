@@ -6,7 +6,7 @@ import { halfChord, projectedConeBounds, slopeBounds } from './projection';
 const slopes = new Float64Array(4);
 const sphere = new Float64Array(4);
 const rectangle = new Float64Array(4);
-/** Numbers that each light has in `GridLights.shapes`, and in `GridLights.tiles`. */
+/** Numbers per light in `GridLights.shapes`, and in `GridLights.tiles`. */
 export const SHAPE = 10;
 export const TILES = 4;
 /** Margin round each light (tiles), greater than any rounding error. */

@@ -43,7 +43,7 @@ export class LightGrid {
 
   /** @param tileSize - pixels of a tile's side, above 0 */
   constructor(readonly tileSize = 32) {
-    if (!(tileSize > 0)) throw new RangeError(`LightGrid: a tile of ${tileSize} pixels; give a size above 0.`);
+    if (!(tileSize > 0)) throw new RangeError(`LightGrid: tileSize is ${tileSize}; give a size above 0.`);
   }
 
   get tilesX(): number {
@@ -118,7 +118,7 @@ export class LightGrid {
     height: number,
     cones: ArrayLike<number> | null = null,
   ): void {
-    if (count > MOST_LIGHTS) throw new RangeError(`LightGrid: ${count} lights; it takes up to ${MOST_LIGHTS}.`);
+    if (count > MOST_LIGHTS) throw new RangeError(`LightGrid: ${count} lights; give ${MOST_LIGHTS} at most.`);
     if (!this.inputs.replace(count, spheres, projection, near, far, width, height, cones)) return;
     this.changes++;
     const { frame, lights, depthBins } = this;

@@ -19,9 +19,7 @@ export class TileMasks {
   words = 0;
   masks = new Uint32Array(0);
 
-  /**
-   * @param order - index of the light of each of `count` ranks; NO_LIGHT for ranks without a light
-   */
+  /** @param order - index of the light of each of `count` ranks; NO_LIGHT for ranks without a light */
   fill(lights: GridLights, order: Uint32Array, count: number, frame: GridFrame): void {
     const pages = Math.ceil(count / PAGE_LIGHTS);
     const pageSize = frame.tilesX * frame.tilesY * PAGE_WORDS;

@@ -2,9 +2,7 @@ import { bench, describe } from 'vitest';
 import { LightGrid } from './LightGrid';
 import { createRandom, perspective } from './testing/testScenes';
 
-/**
- * Time of one update at 1280 × 720. `npx vitest bench --run --config packages/vitest.config.ts lightGrid`
- */
+/** Time of one update at 1280 × 720. `npx vitest bench --run --config packages/vitest.config.ts lightGrid` */
 const near = 0.1;
 const far = 100;
 const projection = perspective(-1.0264, 1.0264, -0.57735, 0.57735, near, far);

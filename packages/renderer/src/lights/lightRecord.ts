@@ -68,7 +68,7 @@ export const lightRecord = {
     extensionRecord: ['int', 'int(t.w)'],
     isSpot: ['bool', 't.x >= -1.0'],
     isMasked: ['bool', 't.z > 0.0'],
-    /** Whether it is a point light as three has it, still at the place where its shadow map was drawn. */
+    /** Whether the light is three's point light, still at the place where its shadow map was drawn. */
     isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
     /** Whether the light is an area light, whose extension is its own. */
     isArea: ['bool', 't.x < -2.5'],

@@ -1,7 +1,7 @@
 import type { Material, Object3D, ShaderMaterial } from 'three';
 import { threeChunks } from '../three/ThreeChunks';
 
-/** Frames for which three keeps lighting a scene after its last refused material went out of sight. */
+/** Number of frames for which three keeps lighting a scene after its last refused material went out of view. */
 const KEPT_FRAMES = 600;
 
 /** Matches GLSL that reads three's arrays of lights or its ambient light. */
@@ -18,39 +18,39 @@ export class RefusedMaterials {
   private readonly readers = new WeakMap<Material, { readonly text: string; readonly reads: boolean }>();
   private readonly scenes = new WeakMap<Object3D, number>();
   /** Whether the frame has drawn a material that Farol cannot light. */
-  private met = false;
+  private hasDrawn = false;
 
   refuse(material: Material): void {
     this.versions.set(material, versionOf(material));
-    this.met = true;
+    this.hasDrawn = true;
   }
 
   /** Whether Farol cannot light a material, which is unchanged since that was found. */
   has(material: Material): boolean {
     if (this.versions.get(material) !== versionOf(material)) return false;
-    return (this.met = true);
+    return (this.hasDrawn = true);
   }
 
   /** Checks a shader material without three's light loop: it counts as refused if it reads three's lights itself. */
-  look(material: ShaderMaterial): void {
+  check(material: ShaderMaterial): void {
     let reader = this.readers.get(material);
     const text = material.fragmentShader;
     if (reader?.text !== text) {
       this.readers.set(material, (reader = { text, reads: READS_LIGHTS.test(text + material.vertexShader) }));
     }
-    if (reader.reads) this.met = true;
+    if (reader.reads) this.hasDrawn = true;
   }
 
   /** Begins a frame. @returns whether three is to light the scene */
   begin(scene: Object3D): boolean {
-    this.met = false;
+    this.hasDrawn = false;
     return (this.scenes.get(scene) ?? 0) > 0;
   }
 
   /** Ends a frame. @returns whether it has to be drawn once more, with three's lights */
   end(scene: Object3D, isLitByThree: boolean): boolean {
-    const left = this.met ? KEPT_FRAMES : (this.scenes.get(scene) ?? 0) - 1;
-    if (this.met || isLitByThree) this.scenes.set(scene, left);
-    return this.met && !isLitByThree;
+    const left = this.hasDrawn ? KEPT_FRAMES : (this.scenes.get(scene) ?? 0) - 1;
+    if (this.hasDrawn || isLitByThree) this.scenes.set(scene, left);
+    return this.hasDrawn && !isLitByThree;
   }
 }

@@ -14,8 +14,8 @@ export interface WornSurfaces {
   /** Adds the surfaces to a shader of three's, before any other patch. */
   rewrite(shader: TwinShader, registry: MicroShaderRegistry, webgl: WebGLRenderer): void;
   /** Number that changes when a GLSL text, uniform value or time changes the colours of pixels. */
-  look(): number;
-  shape(): number;
+  colourVersion(): number;
+  shapeVersion(): number;
   /** Writes the animation time (s) of each surface to a list. */
   copyTimes(times: number[]): void;
   /** Greatest displacement of vertices (m, in the object's own space); Infinity if a surface does not declare it. */
@@ -25,11 +25,11 @@ export interface WornSurfaces {
 }
 
 const worn = new WeakMap<Material, WornSurfaces>();
-let some = false;
+let hasSurfaces = false;
 
 /** Surfaces of a host's material; a material made with another one as its prototype inherits that one's. */
 export function surfacesOf(material: Material | null): WornSurfaces | undefined {
-  return some && material ? (worn.get(material) ?? inherited(material)) : undefined;
+  return hasSurfaces && material ? (worn.get(material) ?? inherited(material)) : undefined;
 }
 
 function inherited(material: Material): WornSurfaces | undefined {
@@ -43,6 +43,6 @@ export const ownSurfacesOf = (material: Material): WornSurfaces | undefined => w
 
 /** Sets the surfaces of a material. Called by the entry `surfaces` alone. */
 export function wearSurfaces(material: Material, surfaces: WornSurfaces): void {
-  some = true;
+  hasSurfaces = true;
   worn.set(material, surfaces);
 }

@@ -93,7 +93,7 @@ describe('composing', () => {
     const { registry } = registryOf({ v: '//# stage vertex', f: '//# stage fragment', uses: '#include "v"' });
     expect(() => registry.compose(['v'], ['f'])).not.toThrow();
     expect(() => registry.compose([], ['uses'])).toThrow(
-      'Microshader "v" is for the vertex stage, but a fragment shader uses it.',
+      'Microshader "v" is for the vertex stage, and a fragment shader uses it; give it the stage both.',
     );
     expect(() => registry.compose(['f'], [])).toThrow(/"f" is for the fragment stage/);
   });
@@ -135,7 +135,7 @@ describe('getShader', () => {
     const { registry } = registryOf(LAYERED);
     registry.getShader('s', ['d'], ['b', 'c']);
     expect(() => registry.getShader('s', ['d'], ['c', 'b'])).toThrow(
-      'Shader "s" is made of vertex [d], fragment [b, c]; it was asked for as vertex [d], fragment [c, b].',
+      'Shader "s" is made of vertex [d], fragment [b, c], and is requested as vertex [d], fragment [c, b]; give it another name.',
     );
   });
 

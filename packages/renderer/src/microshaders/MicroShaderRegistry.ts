@@ -21,7 +21,7 @@ export type MicroShaderListener = (names: readonly string[]) => void;
  * @see thesis 3.1.2 and 3.2.6
  */
 export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderSource {
-  private readonly own = new Map<string, MicroShader>();
+  private readonly ownChunks = new Map<string, MicroShader>();
   private readonly files = new Map<string, Promise<readonly string[]>>();
   private readonly shaders: ShaderCache<Program>;
   private readonly listeners = new Set<MicroShaderListener>();
@@ -44,7 +44,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   get(name: string): MicroShader | undefined {
-    return this.own.get(name) ?? this.parent?.get(name);
+    return this.ownChunks.get(name) ?? this.parent?.get(name);
   }
 
   has(name: string): boolean {
@@ -53,7 +53,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
 
   /** All known names, the parent's first. */
   names(): string[] {
-    return [...new Set([...(this.parent?.names() ?? []), ...this.own.keys()])];
+    return [...new Set([...(this.parent?.names() ?? []), ...this.ownChunks.keys()])];
   }
 
   /** Adds chunks. @throws Error when a name is known already or not allowed; then none is added */
@@ -68,7 +68,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
       }
       names.add(name);
     }
-    for (const chunk of added) this.own.set(chunk.name, chunk);
+    for (const chunk of added) this.ownChunks.set(chunk.name, chunk);
   }
 
   /**
@@ -165,10 +165,11 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
    */
   replace(name: string, content: string | MicroShader): void {
     const chunk = typeof content === 'string' ? parseMicroShader(name, content) : completeMicroShader(content);
-    if (chunk.name !== name) throw new Error(`Microshader "${name}" cannot be replaced by one named "${chunk.name}".`);
+    if (chunk.name !== name)
+      throw new Error(`Microshader "${name}" cannot be replaced by one named "${chunk.name}"; give both one name.`);
     dependencyOrder([name], this);
-    const before = this.edited.has(name) ? this.edited.get(name) : this.own.get(name);
-    this.put(name, chunk);
+    const before = this.edited.has(name) ? this.edited.get(name) : this.ownChunks.get(name);
+    this.replaceChunk(name, chunk);
     if (content === (this.swapped.get(name) ?? before)) this.edited.delete(name);
     else this.edited.set(name, before);
   }
@@ -179,11 +180,11 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
    */
   remove(name: string): void {
     const before = this.swapped.get(name);
-    if (!this.own.has(name) || (before && !this.edited.has(name)))
-      throw new Error(`Microshader "${name}" was not replaced; there is nothing to restore.`);
+    if (!this.ownChunks.has(name) || (before && !this.edited.has(name)))
+      throw new Error(`Microshader "${name}" was not replaced; restore one that was.`);
     const user = before || this.original(name) ? undefined : this.usersOf(name).find((other) => other !== name);
     if (user) throw new Error(`Microshader "${name}" is included by "${user}"; change that one first.`);
-    this.put(name, before);
+    this.replaceChunk(name, before);
     this.edited.delete(name);
   }
 
@@ -208,7 +209,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     const chunk = { ...content, name };
     this.swapped.set(name, chunk);
     if (this.edited.has(name)) return;
-    this.own.set(name, chunk);
+    this.ownChunks.set(name, chunk);
     const affected = this.usersOf(name);
     this.replacedAt.set(name, ++this.replacements);
     for (const listener of [...this.listeners]) listener(affected);
@@ -269,9 +270,10 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /** @param chunk - the new chunk; undefined restores the parent's, or none */
-  private put(name: string, chunk: MicroShader | undefined): void {
-    const before = this.own.get(name);
-    const set = (value: MicroShader | undefined) => void (value ? this.own.set(name, value) : this.own.delete(name));
+  private replaceChunk(name: string, chunk: MicroShader | undefined): void {
+    const before = this.ownChunks.get(name);
+    const set = (value: MicroShader | undefined) =>
+      void (value ? this.ownChunks.set(name, value) : this.ownChunks.delete(name));
     const affected = this.usersOf(name);
     set(chunk);
     try {

@@ -30,7 +30,7 @@ export class ShaderCache<Program> {
       const had = described(cached.vertexChunks, cached.fragmentChunks);
       const asked = described(vertexChunks, fragmentChunks);
       if (had === asked) return cached;
-      throw new Error(`Shader "${name}" is made of ${had}; it was asked for as ${asked}. Give it another name.`);
+      throw new Error(`Shader "${name}" is made of ${had}, and is requested as ${asked}; give it another name.`);
     }
     const source = { name, ...this.compose(vertexChunks, fragmentChunks) };
     const shader: MutableShader<Program> = {

@@ -50,7 +50,10 @@ export class WebGLShaderCompiler implements MicroShaderCompiler<WebGLProgram> {
     const { gl } = this;
     const text = withPrefix(source[`${stage}Shader`], stage);
     const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
-    if (shader === null) throw new Error(`Shader "${source.name}" cannot compile: the WebGL context is lost.`);
+    if (shader === null)
+      throw new Error(
+        `Shader "${source.name}" cannot compile while the WebGL context is lost; wait until it is restored.`,
+      );
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
     if (gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return shader;

@@ -14,7 +14,7 @@ export function composeHeaders(
   const misplaced = stage && chunks.find((chunk) => (chunk.stage ?? 'both') !== 'both' && chunk.stage !== stage);
   if (misplaced) {
     throw new Error(
-      `Microshader "${misplaced.name}" is for the ${misplaced.stage} stage, but a ${stage} shader uses it.`,
+      `Microshader "${misplaced.name}" is for the ${misplaced.stage} stage, and a ${stage} shader uses it; give it the stage both.`,
     );
   }
   return chunks.map((chunk) => framed(chunk, chunk.header, chunk.headerLine)).join('');

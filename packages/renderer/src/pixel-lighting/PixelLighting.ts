@@ -23,7 +23,7 @@ export interface LightShare {
 /**
  * Kind of light that is of no one place. 'ambient', 'hemisphere', 'light-probe': a light of three's; 'environment': reflected
  * surroundings; 'probes': a baked grid of light probes; 'unlit': what no light changes, such as a background, materials that are not
- * lit and what a shader of the host's adds; 'lights': lights beyond `PixelLightingOptions.most`, all together.
+ * lit and what a shader of the host's adds; 'lights': lights beyond `PixelLightingOptions.maxLights`, all together.
  */
 export type OtherLight =
   | 'ambient'
@@ -83,11 +83,11 @@ export interface PixelLighting {
   readonly sum: Color;
   /** Lights that reach the pixel, or would without shadows: brightest first. */
   readonly lights: readonly LightShare[];
-  /** The other light, brightest first; kinds that give nothing are left out. */
+  /** Ambient, environment, emissive and other light that no light of `lights` gives, brightest first. */
   readonly others: readonly OtherShare[];
   /** Surfaces that the pixel shows, nearest first, down to the first opaque one; none for a background. Found by ray. */
   readonly surfaces: readonly PixelSurface[];
-  /** Programs of what is drawn there: objects and full-screen passes. */
+  /** Programs that draw the pixel: those of objects and of full-screen passes. */
   readonly programs: readonly PixelProgram[];
   /** Names of effects that the parts are drawn without, such as anti-aliasing and fog that gathers frames. */
   readonly effectsLeftOut: readonly string[];
@@ -100,7 +100,7 @@ export interface PixelLightingOptions {
   /** Size of the picture that the camera fills (pixels). Default: of the drawing buffer. */
   readonly size?: { readonly width: number; readonly height: number };
   /** Maximum number of lights told apart, at least 1; the weaker ones are one share of the kind 'lights'. Default 128. */
-  readonly most?: number;
+  readonly maxLights?: number;
   /** Ends the work: the promise is then rejected with the signal's reason. */
   readonly signal?: AbortSignal;
   /** Called now and then with the part of the work that is done, 0 to 1. */

@@ -6,7 +6,7 @@ export interface Measured<Part> {
   readonly color: Color;
 }
 
-/** Groups of so many are split into single ones at once. */
+/** Maximum size of a group that is split into single lights at once. */
 const FEW = 4;
 
 /** Relative luminance of linear RGB, by the magnitude of each channel: lights may take light away. */

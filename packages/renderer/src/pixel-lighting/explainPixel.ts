@@ -53,7 +53,8 @@ export async function explainPixel(
 function check(farol: FarolRenderer, camera: Camera): TechniqueName {
   const { webgl, technique, info } = farol;
   const lacks = lacksFloatTargets(webgl);
-  if (lacks !== null) throw new Error(`explainPixel: this device ${lacks}, so light cannot be measured.`);
+  if (lacks !== null)
+    throw new Error(`explainPixel: this device ${lacks}, so light cannot be measured; use another device.`);
   if (webgl.xr.isPresenting) throw new Error('explainPixel: an XR session is presenting; end it first.');
   if ((camera as ArrayCamera).isArrayCamera === true)
     throw new Error('explainPixel: an ArrayCamera has several pictures; give one of its cameras and its size.');
@@ -65,7 +66,7 @@ function check(farol: FarolRenderer, camera: Camera): TechniqueName {
 class PixelWork {
   readonly picture: PixelPicture;
   private readonly technique: TechniqueName;
-  private readonly most: number;
+  private readonly maxLights: number;
   private readonly size;
   private terms: LightTerm[] = [];
   private programs: PixelProgram[] = [];
@@ -83,8 +84,9 @@ class PixelWork {
     const { x, y } = pointer;
     if (!(Math.abs(x) <= 1 && Math.abs(y) <= 1))
       throw new RangeError(`explainPixel: the pointer is (${x}, ${y}); give numbers from -1 to 1.`);
-    this.most = options.most ?? 128;
-    if (!(this.most >= 1)) throw new RangeError(`explainPixel: most is ${this.most}; give a number of at least 1.`);
+    this.maxLights = options.maxLights ?? 128;
+    if (!(this.maxLights >= 1))
+      throw new RangeError(`explainPixel: maxLights is ${this.maxLights}; give a number of at least 1.`);
     this.technique = check(farol, camera);
     const { width, height } = options.size ?? farol.webgl.getDrawingBufferSize(new Vector2());
     this.size = { width, height };
@@ -141,7 +143,7 @@ class PixelWork {
 
   private throwIfOver(): void {
     this.options.signal?.throwIfAborted();
-    if (this.isLost) throw new Error('explainPixel: the context is lost; ask again when it is back.');
+    if (this.isLost) throw new Error('explainPixel: the WebGL context is lost; call it again once it is restored.');
   }
 
   /** Draws the whole picture, then finds anew what is to be turned off. */
@@ -249,7 +251,7 @@ class PixelWork {
   }
 
   private *measureLights(measures: Measure[], point: Vector3 | null): Generator<number, void> {
-    const { picture, farol, most } = this;
+    const { picture, farol, maxLights } = this;
     const local = picture.parts.found.filter((light) => !isAmbient(light));
     const lights = new LightParts(local, picture.camera);
     const measure = (parts: readonly LightPart[]): Color => this.lightOf(lights.lightsOf(parts), true);
@@ -257,7 +259,7 @@ class PixelWork {
       measures.push({ ...part, ...this.takenBy(part.light), distance: distanceOf(part, point) });
       yield 0;
     }
-    const { single, rest } = yield* brightestParts(lights.all, measure, most);
+    const { single, rest } = yield* brightestParts(lights.all, measure, maxLights);
     const shadowed = shadowedLights(farol.webgl);
     for (const {
       parts: [part],

@@ -14,18 +14,18 @@ export class EffectList {
   private several = false;
   private stereo = false;
   private active: ActiveEffects = NO_EFFECTS;
-  private readonly told = new WeakSet<FarolEffect>();
+  private readonly reported = new WeakSet<FarolEffect>();
   /** All effects that were ever in the list: the host may put removed ones back in. */
-  private met: WeakRef<FarolEffect>[] = [];
+  private everListed: WeakRef<FarolEffect>[] = [];
 
   constructor(private readonly webgl: WebGLRenderer) {}
 
   /** The host's list. @throws Error when set to a list in which two effects conflict */
-  get asked(): readonly FarolEffect[] {
+  get hostEffects(): readonly FarolEffect[] {
     return this.list;
   }
 
-  set asked(effects: readonly FarolEffect[]) {
+  set hostEffects(effects: readonly FarolEffect[]) {
     refuseConflicts(effects);
     this.list = effects;
   }
@@ -58,13 +58,15 @@ export class EffectList {
   dispose(): void {
     // support is judged anew once a lost context is restored
     this.count = -1;
-    for (const reference of this.met) reference.deref()?.dispose();
+    for (const reference of this.everListed) reference.deref()?.dispose();
   }
 
   private meet(effects: readonly FarolEffect[]): void {
     const known = new Set<unknown>();
-    this.met = this.met.filter((reference) => known.add(reference.deref()) && reference.deref() !== undefined);
-    for (const effect of effects) if (!known.has(effect)) this.met.push(new WeakRef(effect));
+    this.everListed = this.everListed.filter(
+      (reference) => known.add(reference.deref()) && reference.deref() !== undefined,
+    );
+    for (const effect of effects) if (!known.has(effect)) this.everListed.push(new WeakRef(effect));
   }
 
   private readonly canRun = (effect: FarolEffect): boolean => {
@@ -74,8 +76,8 @@ export class EffectList {
     if (lacks === null && !apart && !gathers) return true;
     const why = apart ? 'the target has several textures' : 'it gathers frames of one camera, and XR has an eye each';
     const reason = lacks === null ? why : `this device ${lacks}`;
-    if (!this.told.has(effect)) console.warn(`Farol: ${effect.name} is left out, since ${reason}.`);
-    this.told.add(effect);
+    if (!this.reported.has(effect)) console.warn(`Farol: ${effect.name} is left out, since ${reason}.`);
+    this.reported.add(effect);
     return false;
   };
 }

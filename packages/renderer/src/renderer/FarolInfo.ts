@@ -66,7 +66,7 @@ export interface FarolInfo {
   programs: number;
   /** Quality of the frame: 'lite' or 'full'. */
   quality: 'full' | 'lite';
-  /** Bytes that Farol holds on the GPU, by their use, counted as they are read. */
+  /** Bytes that Farol holds on the GPU, by use, counted on each read. */
   readonly memory: MemoryInfo;
   /** Sum of `memory`. */
   readonly targetBytes: number;

@@ -151,11 +151,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
 
   /** @throws Error when set to no list of effects, or to effects that conflict, such as two that move the camera */
   get effects(): readonly FarolEffect[] {
-    return this.effectList.asked;
+    return this.effectList.hostEffects;
   }
 
   set effects(effects: readonly FarolEffect[]) {
-    this.effectList.asked = effects;
+    this.effectList.hostEffects = effects;
   }
 
   /** @throws Error when set to an unknown view */

@@ -104,7 +104,7 @@ export class FrameLights {
     return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
   }
 
-  /** Frees the lights' textures. @param frame - lets go of them */
+  /** Frees the lights' textures. @param frame - frame whose references to them are cleared */
   dispose(frame: Frame): void {
     this.fields?.dispose();
     this.fields = frame.fields = null;

@@ -5,7 +5,7 @@ import type { LightTable } from '../lighting/LightTable';
 import { FLOATS_PER_RECORD, LIGHT } from '../lights/lightRecord';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Lights that the uniforms of fewLights.glsl have room for. */
+/** Maximum number of lights in the uniforms of fewLights.glsl. */
 const FEW = 2;
 
 /** Sets the shared uniforms of a renderer for each frame. */
@@ -26,9 +26,9 @@ export class FrameUniforms {
     counts[0] = lights.directional;
     counts[1] = lights.unbounded;
     counts[2] = lights.listed;
-    counts[3] = lights.others;
+    counts[3] = lights.extendedCount;
     const areas = values.farol_areaCounts.value;
-    areas[0] = lights.boundeds.length + lights.slots - lights.others;
+    areas[0] = lights.boundeds.length + lights.slots - lights.extendedCount;
     areas[1] = lights.areas;
     shadows?.setUniforms(values, lights.firstMask + lights.slots, frame.camera);
     values.farol_heatScale.value = 1 / heatMaximum;
@@ -45,7 +45,7 @@ export class FrameUniforms {
     values.farol_lightTable.value = few ? null : (frame.fields?.texture ?? lights.table.texture);
   }
 
-  /** Copies the texels that plain lights have to uniforms. @returns whether all lights are plain, and few enough */
+  /** Copies directional and point lights to uniforms. @returns false for too many lights, and for any with more than three's own options */
   private copyFew(): boolean {
     const { values } = this;
     const { recordCount, directional, table } = this.lights;

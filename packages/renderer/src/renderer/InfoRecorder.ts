@@ -12,7 +12,7 @@ const IDLE = { drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
 /** Fills `FarolInfo`: counts from the WebGLRenderer, CPU time from the clock, GPU time from queries read later. */
 export class InfoRecorder {
   readonly info: FarolInfo;
-  /** Null until timing is asked for and its code is there. */
+  /** GPU timer; null until timing is on and its code is fetched. */
   private timer: GpuTimer | null = null;
   /** Passes by name, of each eye of an XR session. */
   private readonly eyes: Map<string, PassInfo>[] = [];

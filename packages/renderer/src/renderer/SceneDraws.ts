@@ -27,7 +27,7 @@ export class SceneDraws {
   edges: SmoothEdges | null = null;
   /** Draws at the scale of a frame budget; null until there is one. */
   scaled: ScaledFrames | null = null;
-  private asked: FrameBudget | null = null;
+  private givenBudget: FrameBudget | null = null;
   private checked: Required<FrameBudget> | null = null;
   private antialias = false;
   /**
@@ -73,14 +73,14 @@ export class SceneDraws {
 
   /** @throws RangeError for a value that a budget cannot have */
   get budget(): FrameBudget | null {
-    return this.asked;
+    return this.givenBudget;
   }
 
   set budget(budget: FrameBudget | null) {
     const checked = budget === null ? null : checkBudget(budget);
     // an equal budget keeps the controller, with the load that it has measured
     if (JSON.stringify(checked) !== JSON.stringify(this.checked)) this.checked = checked;
-    this.asked = budget;
+    this.givenBudget = budget;
     if (budget !== null) budgetCode.ask();
   }
 

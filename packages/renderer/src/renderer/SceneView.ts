@@ -95,14 +95,14 @@ export class SceneView {
     if (scene.isScene === true) {
       this.view = standInOf(scene, Object3D.prototype);
       // called by FarolRenderer, before lights are collected
-      this.own('onBeforeRender', this.freeCamera);
-      this.own('onAfterRender', NOTHING);
+      this.define('onBeforeRender', this.freeCamera);
+      this.define('onAfterRender', NOTHING);
     } else {
       this.view = new Object3D();
     }
-    this.own('children', this.children);
-    this.own('matrixWorldAutoUpdate', false);
-    this.own('isFarolView', true);
+    this.define('children', this.children);
+    this.define('matrixWorldAutoUpdate', false);
+    this.define('isFarolView', true);
     this.driver = makeDriver(() => {
       this.restoreClear();
       this.drawAll(false);
@@ -185,7 +185,7 @@ export class SceneView {
     this.list.transmissive.length = 0;
   }
 
-  private own(name: string, value: unknown): void {
+  private define(name: string, value: unknown): void {
     Object.defineProperty(this.view, name, { value, writable: true, configurable: true });
   }
 

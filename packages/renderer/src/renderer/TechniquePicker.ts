@@ -47,7 +47,7 @@ export class TechniquePicker {
   passTimer: GpuTimer | null = null;
   /** Trials of 'auto'; null until there is something to learn and the code is there. */
   learning: LearningFrames | null = null;
-  private asked: TechniqueName = 'auto';
+  private requested: TechniqueName = 'auto';
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -56,12 +56,12 @@ export class TechniquePicker {
 
   /** Technique asked for. @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
-    return this.asked;
+    return this.requested;
   }
 
   set technique(name: TechniqueName) {
     checkDevice(this.webgl, this.set.get(name).needsFloatTargets);
-    this.asked = name;
+    this.requested = name;
     this.set.codeOf(name)?.ask();
   }
 
@@ -72,7 +72,7 @@ export class TechniquePicker {
   }
 
   private find(scene: DrawnScene, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
-    this.active = this.asked;
+    this.active = this.requested;
     this.reason = 'asked for';
     this.isChanging = false;
     if (!frame.hasPlainProjection) {
@@ -82,7 +82,7 @@ export class TechniquePicker {
     }
     const lights = table.bounded + table.directional + table.unbounded + (frame.fields?.count ?? 0);
     const floatTargets = lacksFloatTargets(this.webgl) === null;
-    if (this.asked === 'auto') {
+    if (this.requested === 'auto') {
       if (frame.session === null) this.choose(scene, frame, table, needsSurfaces, floatTargets);
       else {
         this.active = needsSurfaces && floatTargets ? 'clustered-deferred' : 'clustered-forward';
@@ -132,12 +132,12 @@ export class TechniquePicker {
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(scene: DrawnScene, frame: Frame, draws: EffectsByTechnique): void {
     const { chooser } = scene;
-    const waits = this.asked === 'auto' && frame.session === null && chooser?.settled !== true;
+    const waits = this.requested === 'auto' && frame.session === null && chooser?.settled !== true;
     if (!waits && warmUpCode.isThere) {
       scene.overdraw ??= new warmUpCode.required.Overdraw();
       scene.overdraw.follow(frame);
     }
-    if (this.asked !== 'auto' || chooser === null) return;
+    if (this.requested !== 'auto' || chooser === null) return;
     if (chooser.next === null) {
       if (this.learns) this.learning?.warmUp(chooser, draws);
       return;

@@ -77,7 +77,7 @@ function visitChildren(
     }
     if (isLight && child.children.length === 0) {
       if (matrices !== KEPT) updateLight(child as Light, unmoved ? parent : null, matrices === FORCED);
-      if (!child.visible || take(child as Light, camera, left, found)) continue;
+      if (!child.visible || takesOver(child as Light, camera, left, found)) continue;
       found.rest.push(child);
       continue;
     }
@@ -105,7 +105,7 @@ function updateLight(light: Light, unmoved: Object3D | null, force: boolean): vo
 
 /** @returns whether the object is nothing but managed lights and the nodes that hold them */
 function visit(object: Object3D, isLight: boolean, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
-  const isTaken = isLight && take(object as Light, camera, left, found);
+  const isTaken = isLight && takesOver(object as Light, camera, left, found);
   if (isTaken) found.nested.push(object as Light);
   const { children } = object;
   let isLights = isTaken || (!isLight && children.length > 0);
@@ -124,7 +124,7 @@ function isNode({ constructor }: Object3D): boolean {
 }
 
 /** @returns whether three is not to meet the light: a managed one, or one that the camera's layers do not see */
-function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
+function takesOver(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
   // an array of cameras may not see what one of its cameras does
   if (!light.layers.test(camera.layers)) return true;
   const at = found.reserve(1) * POINT;

@@ -42,7 +42,7 @@ export const antialiasingCode = new Lazy(
   'edges are not smooth',
 );
 
-/** Times of passes on the GPU. */
+/** Code that measures GPU times of passes. */
 export const timerCode = new Lazy('timer', () => import('./timer'), 'there are none');
 
 /** Frames at the scale that holds a frame budget. */
@@ -57,7 +57,7 @@ export const clearLearnt = (): Promise<void> => learningCode.load().then((code) 
 /** Verdicts that 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
 export const learntChoices = (): Promise<LearntChoice[]> => learningCode.load().then((code) => code.learntChoices());
 
-/** Frames of XR sessions. */
+/** Code that draws frames of XR sessions. */
 export const xrCode = new Lazy(
   'webxr',
   async () => (await Promise.all([import('./xr'), arrayCode.load()]))[0],

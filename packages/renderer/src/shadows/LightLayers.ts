@@ -19,10 +19,7 @@ export class LightLayers {
   /** Whether some light of the frame does not reach all objects. */
   private hasLimited = false;
 
-  /**
-   * Begins a frame.
-   * @param enabled - whether lights reach only objects that share a layer with them
-   */
+  /** Begins a frame. @param enabled - whether lights reach only objects that share a layer with them */
   begin(root: Object3D, enabled: boolean): void {
     this.enabled = enabled;
     this.sets.length = this.counts.length = 0;

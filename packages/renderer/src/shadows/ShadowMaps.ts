@@ -36,9 +36,9 @@ import type { ShadowLight } from './slots/ShadowLight';
 import type { ShadowSlot } from './slots/ShadowSlot';
 import { isDepthReversed } from '../three/state';
 
-/** Frames between two rebalancings of a full atlas. */
+/** Number of frames between two rebalancings of a full atlas. */
 const REBALANCE = 60;
-/** Texels a side of the smallest atlas of depths that a host may ask for. */
+/** Minimum side of the atlas of depths (texels). */
 const SMALLEST_ATLAS = 512;
 
 /**
@@ -64,7 +64,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   seenBy!: Camera;
   /** Number of maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
-  /** Number of shadow maps that the frame uses but does not draw, as they are still valid. */
+  /** Number of shadow maps that the frame uses without drawing them, since they are valid. */
   kept = 0;
   /** Number of shadow-map texels that are drawn anew in the frame. */
   texels = 0;
@@ -184,7 +184,6 @@ export class ShadowMaps implements LightMasks, TileShadows {
     const { shadowMap } = this.webgl;
     const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
 
-    // collect the lights
     this.followType();
     for (const light of lights) this.collect(light, root, camera);
 
@@ -202,7 +201,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.planned.planImages(this.slots);
   }
 
-  /** Goes by the maps of the last frame as they are: another eye sees it. */
+  /** Reuses the maps of the last frame, for the second eye of a headset. */
   keep(): void {
     this.planned.begin();
   }

@@ -57,10 +57,7 @@ export class MaterialSurfaces implements WornSurfaces {
     return this.set([...others.map((worn) => worn.surface), surface], surface, values);
   }
 
-  /**
-   * Makes surfaces with given values the material's.
-   * @returns the values of `shown`, with `values` set
-   */
+  /** Makes surfaces with given values the material's. @returns the values of `shown`, with `values` set */
   set(
     surfaces: readonly Surface[],
     shown: Surface | null,
@@ -71,7 +68,7 @@ export class MaterialSurfaces implements WornSurfaces {
       const unknown = Object.keys(values).find((name) => !shown.uniforms.some((uniform) => uniform.name === name));
       if (unknown !== undefined)
         throw new Error(
-          `Surface "${shown.name}" has no uniform "${unknown}"; it declares ${shown.uniforms.map(({ name }) => name).join(', ') || 'none'}.`,
+          `Surface "${shown.name}" has no uniform "${unknown}"; give one of: ${shown.uniforms.map(({ name }) => name).join(', ') || 'none'}.`,
         );
       const before = this.known.get(shown);
       const isNew = !this.list.some(({ surface }) => surface === shown);
@@ -139,7 +136,7 @@ export class MaterialSurfaces implements WornSurfaces {
       );
   }
 
-  look(): number {
+  colourVersion(): number {
     let look = this.stamp;
     for (let i = 0; i < this.list.length; i++) {
       const { parsed, time } = this.list[i].surface;
@@ -148,7 +145,7 @@ export class MaterialSurfaces implements WornSurfaces {
     return look;
   }
 
-  shape(): number {
+  shapeVersion(): number {
     let shape = this.stamp;
     for (let i = 0; i < this.list.length; i++) {
       const { parsed, time } = this.list[i].surface;

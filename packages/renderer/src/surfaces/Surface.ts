@@ -55,7 +55,7 @@ export class Surface {
   private text: string;
   private read: ParsedSurface;
   private hash: string;
-  private shown: string;
+  private sourceInUse: string;
   /** Registries that hold the surface's chunks, and whether the text compiles there. */
   private readonly registries = new Map<
     MicroShaderRegistry,
@@ -70,7 +70,7 @@ export class Surface {
    *   refuses is told when it is first drawn, or by `compile`
    */
   constructor(name: string, source: string, options: SurfaceOptions = {}) {
-    this.shown = name;
+    this.sourceInUse = name;
     this.time = options.time ?? { value: 0 };
     this.text = source;
     this.read = parseSurface(name, source, this.prefix);
@@ -78,11 +78,11 @@ export class Surface {
   }
 
   get name(): string {
-    return this.shown;
+    return this.sourceInUse;
   }
 
   set name(name: string) {
-    this.shown = name;
+    this.sourceInUse = name;
   }
 
   /** Prefix of the surface's names in shaders. */

@@ -9,8 +9,8 @@ export interface SurfaceUniform {
   readonly isColor: boolean;
   /** Default value: a number, a boolean, the numbers of a vector, or null for a texture. */
   readonly default: number | boolean | readonly number[] | null;
-  readonly least?: number;
-  readonly most?: number;
+  readonly min?: number;
+  readonly max?: number;
   readonly step?: number;
   readonly label: string;
   /** Line of the declaration in the text, from 1. */

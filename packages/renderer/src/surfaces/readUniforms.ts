@@ -92,7 +92,7 @@ function readComment(
   return {
     isColor,
     default: value,
-    ...(range && { least: Number(range[1]), most: Number(range[2]) }),
+    ...(range && { min: Number(range[1]), max: Number(range[2]) }),
     ...(range?.[3] !== undefined && { step: Number(range[3]) }),
     label: rest || name,
   };

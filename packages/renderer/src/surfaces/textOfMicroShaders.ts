@@ -30,7 +30,7 @@ export function textOfMicroShaders(chunks: readonly MicroShader[], names: readon
       const [, type, varying] = match;
       if (!Object.hasOwn(VARYINGS, varying))
         throw new Error(
-          `Microshader "${name}" reads the varying "${varying}", which surfaces do not have; they have ${Object.keys(VARYINGS).join(', ')}.`,
+          `Microshader "${name}" reads the varying "${varying}", which surfaces do not have; use one of: ${Object.keys(VARYINGS).join(', ')}.`,
         );
       varyings.add(varying);
       return `${type} ${varying};`;

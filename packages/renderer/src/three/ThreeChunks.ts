@@ -7,7 +7,7 @@ const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
 /** Shaders of lit materials; from SHADERS_LIT on, shaders that draw shadow maps. */
 const SHADERS = ['lambert', 'phong', 'toon', 'physical', 'depth', 'distance'] as const;
 const SHADERS_LIT = 4;
-/** Frames over which the comparison of three's texts is spread. */
+/** Number of frames over which the comparison of three's texts is spread. */
 const FRAMES = 8;
 
 /** @param i - an even number for the vertex shader of one of SHADERS, the next for its fragment shader */

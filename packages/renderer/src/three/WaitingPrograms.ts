@@ -13,7 +13,7 @@ export interface Program {
 /** three's list `WebGLRenderer.info.programs`, to which three pushes the programs that it compiles. */
 export type ProgramList = Program[];
 
-/** Programs that were set to compile and that nothing has waited for yet. */
+/** Programs whose compilation was started and not yet waited for. */
 export class WaitingPrograms {
   private readonly programs: Program[] = [];
   private readonly getters: Program['getUniforms'][] = [];
@@ -55,7 +55,7 @@ export class WaitingPrograms {
 
 const lists = new WeakMap<ProgramList, WaitingPrograms>();
 
-/** The waiting programs of one WebGLRenderer, until its context is lost. */
+/** Compiling programs of one WebGLRenderer; replaced when its context is lost. */
 export function waitingPrograms(programs: ProgramList): WaitingPrograms {
   let waiting = lists.get(programs);
   if (waiting === undefined) lists.set(programs, (waiting = new WaitingPrograms()));

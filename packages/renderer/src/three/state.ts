@@ -1,6 +1,6 @@
 import type { Vector4, WebGLRenderer } from 'three';
 
-// three's WebGLState, by which three knows what is set: what is set beside it, three would not set back.
+// three's WebGLState caches GL state: a direct GL call would leave the cache wrong.
 
 /** Whether depth is 1 at the near plane and 0 at the far one. */
 export function isDepthReversed(webgl: WebGLRenderer): boolean {

@@ -10,7 +10,7 @@ import { atriumPlan } from './atriumPlan';
 export interface SponzaOptions extends SceneBuildOptions {
   /** Width of the generated textures in texels: 128, 256 or 512; 256 when absent. */
   textureSize?: 128 | 256 | 512;
-  /** How many of the moving lights cast shadows; none when absent. */
+  /** Number of moving lights that cast shadows; none when absent. */
   shadowLights?: number;
   /** The lights stand still; they move when absent. */
   still?: boolean;

@@ -12,7 +12,7 @@ export const templePlan = {
   architraveHeight: 0.7,
   friezeHeight: 0.75,
   corniceHeight: 0.3,
-  /** How far the cornice juts out. */
+  /** Overhang of the cornice (m). */
   cornice: 0.55,
   /** Rise of the roof over half its width. */
   pitch: 0.27,

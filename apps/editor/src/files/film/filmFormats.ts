@@ -9,7 +9,7 @@ export interface FilmFormat {
   readonly type: string;
   /** Codec of the video; null for pictures. */
   readonly codec: VideoCodec | null;
-  /** Bits that a pixel of a frame takes at good quality, about. */
+  /** Bits a pixel of a frame at good quality (approximate). */
   readonly bits: number;
 }
 

@@ -12,7 +12,7 @@ import { framesBetween } from './frameRate';
 import { FramesWriter } from './FramesWriter';
 import { VideoWriter } from './VideoWriter';
 
-/** How far a film is, with the time that is left by that of the frames so far. */
+/** Progress of a film, with the remaining time estimated from the frames so far. */
 class FilmProgress implements WorkProgress {
   readonly changed = new Signal();
   share = 0;

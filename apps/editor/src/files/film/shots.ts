@@ -8,7 +8,7 @@ import { copyEye, type Eye, shownEye } from '../picture/PictureCanvas';
 /** Ways to look at a film's frames, besides through one camera of the scene, which is named by its component's id. */
 export const shotKinds = ['shown', 'active', 'path', 'turntable'] as const;
 
-/** How a film is looked at: one of `shotKinds`, or the id of a Camera. */
+/** Viewpoint of a film: one of `shotKinds`, or the id of a Camera. */
 export type ShotName = string;
 
 /** The camera of a frame of a film. */
@@ -80,7 +80,7 @@ function turntableShot(editor: EditorApi, aspect: number, turns: number): Shot {
 }
 
 /**
- * How the frames of a film are looked at.
+ * Viewpoints of a film's frames.
  * @param aspect - width over height
  * @param turns - of a turntable; below 0 the other way
  * @throws Error when there is no such camera, too few views are kept, or there is nothing to turn around

@@ -5,7 +5,7 @@ import { OrthographicCamera, PerspectiveCamera } from 'three';
 import type { EditorApi } from '../../api/EditorApi';
 import { nextTask } from './nextTask';
 
-/** How often a picture is drawn anew that was ready and yet asks for another frame, as an effect of a plugin always may. */
+/** Maximum number of redraws of a picture that is ready but asks for another frame, as a plugin's effect may for ever. */
 const ATTEMPTS = 4;
 
 /** A three camera that pictures are drawn with. */

@@ -47,10 +47,7 @@ export class PngWriter {
     this.done = this.collect();
   }
 
-  /**
-   * Writes the next rows, from the top down.
-   * @param pixels - RGBA of whole rows, colour not multiplied by alpha
-   */
+  /** Writes the next rows, from the top down. @param pixels - RGBA of whole rows, colour not multiplied by alpha */
   async write(pixels: Uint8Array): Promise<void> {
     const size = 4 * this.width;
     const rows = pixels.length / size;

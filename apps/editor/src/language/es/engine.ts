@@ -30,12 +30,13 @@ export const engine: MessageTable = {
     'el cargador de three no puede leerlo ({reason}): hay que exportarlo de nuevo.',
   'its FBX data cannot be read ({reason}): export it again as FBX 7.4, or as glTF.':
     'sus datos FBX no se pueden leer ({reason}): hay que exportarlo de nuevo como FBX 7.4, o como glTF.',
-  'it is cut short: its header says {length} bytes, and it has {found}.':
-    'está cortado: su cabecera dice {length} bytes, y tiene {found}.',
-  'it is cut short: {length} bytes are less than a GLB header.':
-    'está cortado: {length} bytes no son una cabecera GLB entera.',
+  'it is cut short (its header says {length} bytes, and it has {found}): export it again.':
+    'está cortado (su cabecera dice {length} bytes, y tiene {found}): hay que exportarlo de nuevo.',
+  'it is cut short ({length} bytes are less than a GLB header): export it again.':
+    'está cortado ({length} bytes no son una cabecera GLB entera): hay que exportarlo de nuevo.',
   'it is cut short: export it again.': 'está cortado: hay que exportarlo de nuevo.',
-  "it is not a glTF: the entry 'asset' is missing.": "no es un glTF: falta la entrada 'asset'.",
+  "it is not a glTF, whose 'asset' is missing: choose another file.":
+    "no es un glTF, le falta la entrada 'asset': hay que elegir otro archivo.",
   'it is glTF {version}, and only glTF 2.x can be read: convert it.':
     'es glTF {version}, y solo se puede leer glTF 2.x: hay que convertirlo.',
   'its JSON cannot be read: {reason}': 'su JSON no se puede leer: {reason}',
@@ -48,10 +49,12 @@ export const engine: MessageTable = {
     'ocuparía {memory} MB una vez decodificado ({minutes} minutos), y {limit} MB es el límite: hay que acortarlo.',
   'it has no vertices: it is empty, or not an OBJ file. Export it again.':
     'no tiene vértices: no es un archivo OBJ, o está vacío. Hay que exportarlo de nuevo.',
-  'it has no triangles: it is empty, or not an STL file.': 'no tiene triángulos: no es un archivo STL, o está vacío.',
+  'it has no triangles: it is empty, or not an STL file. Export it again.':
+    'no tiene triángulos: no es un archivo STL, o está vacío. Hay que exportarlo de nuevo.',
   'the PLY data are damaged or cut short: export it again':
     'los datos PLY están dañados o cortados: hay que exportarlos de nuevo',
-  'the data are not a PLY file: they do not begin with "ply"': 'los datos no son un archivo PLY: no empiezan por «ply»',
+  'the data are not a PLY file, which begins with "ply": choose another file':
+    'los datos no son un archivo PLY, que empieza por «ply»: hay que elegir otro archivo',
   'it is damaged, or not a file of baked light: bake the light again.':
     'está dañado, o no es un archivo de luz precalculada: hay que calcular la luz de nuevo.',
   'Export it again from where it was made.': 'Hay que exportarlo de nuevo desde donde se hizo.',
@@ -69,8 +72,8 @@ export const engine: MessageTable = {
     'El Collider de {object} no tiene malla a la que ajustarse: hay que dar una malla al objeto, o desactivar «Ajustar a la malla» y dar un tamaño.',
   'The Collider of {object} is a mesh on a dynamic body: choose the convex hull, or make the body fixed or kinematic.':
     'El Collider de {object} es una malla en un cuerpo dinámico: hay que elegir la envolvente convexa, o hacer el cuerpo fijo o cinemático.',
-  'The Collider of {object} has no size: its object, or one above it, has a scale of 0.':
-    'El Collider de {object} no tiene tamaño: su objeto, o uno que lo contiene, tiene una escala de 0.',
+  'The Collider of {object} has no size, since its object, or one above it, has a scale of 0: set another.':
+    'El Collider de {object} no tiene tamaño: su objeto, o uno que lo contiene, tiene una escala de 0. Hay que poner otra.',
   "The Joint of '{object}' has no body: add a RigidBody to its object, or to one above it.":
     "El Joint de '{object}' no tiene cuerpo: hay que añadir un RigidBody a su objeto, o a uno que lo contiene.",
   "The partner of the Joint of '{object}' is gone: choose another object, or none for the world.":
@@ -97,6 +100,6 @@ export const engine: MessageTable = {
   // structure
   "'{object}' cannot be put below itself: choose a parent that is not among its children.":
     "'{object}' no se puede poner debajo de sí mismo: hay que elegir un padre que no esté entre sus hijos.",
-  "'{object}' has a {component} already, and can have only one.":
-    "'{object}' ya tiene un {component}, y solo puede tener uno.",
+  "'{object}' has a {component} already: change that one, or remove it first.":
+    "'{object}' ya tiene un {component}: hay que cambiar ese, o quitarlo antes.",
 };

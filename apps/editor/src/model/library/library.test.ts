@@ -28,10 +28,10 @@ it('builds prefabs that a file can have: known components, allowed values, and t
     scene.prefabs.set(prefab);
     const instance = instantiatePrefab(prefab, scene.registry);
     scene.add(instance);
-    const { fields, others } = overridesOf(instance);
+    const { fields, structural } = overridesOf(instance);
     // scripts do not run here: an object that a component kept as data names is not looked up
     const paths = fields.filter(({ component }) => !(component instanceof UnknownComponent)).map(({ path }) => path);
-    expect([paths, others], id).toEqual([[], []]);
+    expect([paths, structural], id).toEqual([[], []]);
     const file = serialize(scene);
     const read = parseFile(JSON.parse(JSON.stringify(file)), { registry: scene.registry, assets: scene.assets });
     expect(read.prefabs?.[0].objects, id).toEqual(prefab.objects);

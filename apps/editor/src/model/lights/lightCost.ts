@@ -86,7 +86,7 @@ function boundsOf(source: LightSource): number {
   return isWide ? reach * Math.sin(cutoff) : along;
 }
 
-/** Lights that are estimated in one task, so that no frame waits. */
+/** Maximum number of lights estimated in one task, so that no frame waits. */
 const SLICE = 1000;
 
 /**

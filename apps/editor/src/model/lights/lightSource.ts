@@ -59,6 +59,6 @@ export const colourOf = (source: LightSource): Vector3Tuple | null => (source in
 export const temperatureText = (source: LightSource): string =>
   source instanceof Light && source.colourBy === 'temperature' ? t('{count} K', { count: source.kelvin }) : '';
 
-/** Number of lights that a light is for the renderer: of an emitter, one every so many particles. */
+/** Number of the renderer's lights that a source makes: an emitter makes one every `lightEvery` particles. */
 export const lightCount = (source: LightSource): number =>
   source instanceof Light ? 1 : Math.ceil(source.capacity / source.lightEvery);

@@ -5,7 +5,7 @@ import { Button } from '../../ui/Button';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './agent.css';
 
-/** Signal of an editor that no agent may edit. */
+/** Never emits; in place of `AgentLink.changed` while no agent is allowed. */
 const never = new Signal();
 
 /** Bar over the window while agents may edit: who is connected, how often they called, and a button that ends it. */

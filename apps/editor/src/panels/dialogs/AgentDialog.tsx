@@ -10,7 +10,7 @@ import '../agent/agent.css';
 /** Command that starts a server with a relay, not translated. */
 const COMMAND = 'npm start';
 
-/** How an MCP client starts the server: from the package, unless the dev server names its own script. */
+/** Command by which an MCP client starts the server: the package's, unless the dev server names a script. */
 async function startOf(): Promise<{ command: string; args: readonly string[] }> {
   try {
     const { agent } = (await (await fetch('./apps.json')).json()) as { agent?: string };

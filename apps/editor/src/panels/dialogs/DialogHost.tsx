@@ -2,20 +2,20 @@ import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { type ComponentType, lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef, useState } from 'react';
 import { readableText } from '../../model/readableText';
-import type { ConfirmDialog, DialogRequest } from '../../model/Dialogs';
+import type { ConfirmDialog, DialogRequest, PlainDialog } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
 import { Button } from '../../ui/Button';
 
-const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
 const RecoverDialog = lazy(async () => ({ default: (await import('./RecoverDialog')).RecoverDialog }));
 const Welcome = lazy(async () => ({ default: (await import('../welcome/Welcome')).Welcome }));
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const AgentBar = lazy(async () => ({ default: (await import('../agent/AgentBar')).AgentBar }));
 
-/** Dialogs that are told nothing, by their kinds. */
+/** Dialogs without properties, by kind. */
 const plain = {
+  keys: lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage })),
   palette: lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette })),
   about: lazy(async () => ({ default: (await import('./AboutDialog')).AboutDialog })),
   export: lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog })),
@@ -23,10 +23,9 @@ const plain = {
   picture: lazy(async () => ({ default: (await import('./PictureDialog')).PictureDialog })),
   film: lazy(async () => ({ default: (await import('./FilmDialog')).FilmDialog })),
   phone: lazy(async () => ({ default: (await import('./PhoneDialog')).PhoneDialog })),
-} satisfies Partial<Record<DialogRequest['kind'], ComponentType<{ onClose(): void }>>>;
+} satisfies Record<PlainDialog['kind'], ComponentType<{ onClose(): void }>>;
 
-const isPlain = (request: DialogRequest): request is Extract<DialogRequest, { kind: keyof typeof plain }> =>
-  request.kind in plain;
+const isPlain = (request: DialogRequest): request is PlainDialog => request.kind in plain;
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = {
   palette: 'palette',
@@ -48,7 +47,18 @@ export function DialogHost(): ReactNode {
         <Dialog.Portal>
           <Dialog.Backdrop className="backdrop" />
           <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
-            <Suspense fallback={null}>
+            <Suspense
+              fallback={
+                current?.kind === 'palette' && (
+                  <input
+                    className="input"
+                    aria-label={t('Search commands')}
+                    ref={(input) => input?.focus()}
+                    onChange={({ target }) => (dialogs.typed = target.value)}
+                  />
+                )
+              }
+            >
               {current && (
                 <>
                   <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />
@@ -77,15 +87,6 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   if (isPlain(request)) {
     const Plain = plain[request.kind];
     return <Plain onClose={() => onClose(false)} />;
-  }
-  if (request.kind === 'keys') {
-    return (
-      <>
-        <Dialog.Title>{t('Keys')}</Dialog.Title>
-        <KeysPage />
-        <Buttons onClose={onClose} />
-      </>
-    );
   }
   if (request.kind === 'recover') return <RecoverDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'welcome') return <Welcome request={request} onClose={() => onClose(false)} />;

@@ -16,8 +16,8 @@ import { saveFilm } from '../../files/film/saveFilm';
 import { keptViews, type ShotName } from '../../files/film/shots';
 import { Button } from '../../ui/Button';
 import { useEditor } from '../../ui/EditorContext';
-import { SelectBox, type SelectOption } from '../../ui/SelectBox';
-import { Toggle } from '../../ui/Toggle';
+import type { SelectOption } from '../../ui/SelectBox';
+import { ChoiceRow, SwitchRow } from '../../ui/SettingRow';
 import { NumberRow, PixelSize, type Size } from './PixelSize';
 
 /** Largest side of a film (pixels). */
@@ -69,22 +69,6 @@ function shotOptions({ document: { scene } }: EditorApi): SelectOption<ShotName>
   options.push({ value: 'turntable', label: t('Turntable'), help });
   if (cameras.length > 1) for (const { id, gameObject } of cameras) options.push({ value: id, label: gameObject.name });
   return options;
-}
-
-interface ChoiceRowProps<T extends string> {
-  readonly label: string;
-  readonly value: T;
-  readonly options: readonly SelectOption<T>[];
-  onChange(value: T): void;
-}
-
-function ChoiceRow<T extends string>(props: ChoiceRowProps<T>): ReactNode {
-  return (
-    <div className="dialog-row">
-      <span aria-hidden="true">{props.label}</span>
-      <SelectBox {...props} />
-    </div>
-  );
 }
 
 /** Asks the browser whether it encodes such a film. @returns the problem; null for none, undefined until it has answered */
@@ -154,15 +138,18 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
       />
       <div className="film-fields">
         <ChoiceRow
+          className="dialog-row"
           label={t('Camera')}
           value={shot}
           options={shots}
           onChange={(next) => set({ shot: next, plays: next !== 'turntable' && next !== 'path' })}
         />
-        <div className="dialog-row">
-          <span aria-hidden="true">{t('The scene plays')}</span>
-          <Toggle value={plays} label={t('The scene plays')} onChange={(next) => set({ plays: next })} />
-        </div>
+        <SwitchRow
+          className="dialog-row"
+          label={t('The scene plays')}
+          value={plays}
+          onChange={(next) => set({ plays: next })}
+        />
         {shot === 'turntable' && (
           <NumberRow
             label={t('Turns')}
@@ -192,6 +179,7 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           onChange={(next) => set({ to: next })}
         />
         <ChoiceRow
+          className="dialog-row"
           label={t('Frames a second')}
           value={ownRate ? 'own' : String(rate)}
           options={choices({
@@ -212,6 +200,7 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           />
         )}
         <ChoiceRow
+          className="dialog-row"
           label={t('Format')}
           value={format ?? ''}
           options={choices(
@@ -225,17 +214,16 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           onChange={(next) => set({ format: next as FilmFormatName })}
         />
         {codec === null ? (
-          <div className="dialog-row">
-            <span aria-hidden="true">{t('Without background')}</span>
-            <Toggle
-              value={isTransparent}
-              label={t('Without background')}
-              onChange={(next) => set({ isTransparent: next })}
-            />
-          </div>
+          <SwitchRow
+            className="dialog-row"
+            label={t('Without background')}
+            value={isTransparent}
+            onChange={(next) => set({ isTransparent: next })}
+          />
         ) : (
           <>
             <ChoiceRow
+              className="dialog-row"
               label={t('Quality')}
               value={quality}
               options={choices({ small: t('Small file'), good: t('Good'), high: t('High') })}

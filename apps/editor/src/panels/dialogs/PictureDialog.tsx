@@ -8,7 +8,7 @@ import { download } from '../../files/share/download';
 import { withProgress } from '../../files/withProgress';
 import { Button } from '../../ui/Button';
 import { useEditor } from '../../ui/EditorContext';
-import { Toggle } from '../../ui/Toggle';
+import { SwitchRow } from '../../ui/SettingRow';
 import { PixelSize, type Size } from './PixelSize';
 
 /** Largest side of a picture (pixels). */
@@ -44,10 +44,12 @@ export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
         {t('The scene as it is seen now, without grid, icons and handles, as a PNG.')}
       </Dialog.Description>
       <PixelSize offered={offered} value={size} max={max} onChange={setSize} />
-      <div className="dialog-row">
-        <span aria-hidden="true">{t('Without background')}</span>
-        <Toggle value={isTransparent} label={t('Without background')} onChange={setTransparent} />
-      </div>
+      <SwitchRow
+        className="dialog-row"
+        label={t('Without background')}
+        value={isTransparent}
+        onChange={setTransparent}
+      />
       {isWhole && (
         <p className="export-note">
           {t('With bloom, depth of field, vignette or automatic exposure at most {count} pixels a side.', {

@@ -28,7 +28,7 @@ function focusTab(panel: string): void {
   requestAnimationFrame(() => document.getElementById(`tab-${panel}`)?.focus());
 }
 
-/** Shows only icons of tabs behind, if the titles of all have no room. */
+/** Reduces inactive tabs to their icons if the titles of all tabs do not fit. */
 function fitTabs(list: HTMLElement): void {
   list.dataset.icons = 'false';
   list.dataset.icons = String(list.scrollWidth > list.clientWidth);

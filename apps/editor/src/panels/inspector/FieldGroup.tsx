@@ -9,7 +9,7 @@ interface FieldGroupProps {
   /** Key under which the folded state is stored. */
   readonly id: string;
   readonly title: string;
-  /** Whether it is folded until the user says otherwise; read once, so that editing folds nothing. */
+  /** Whether the group is folded by default; read once, so that editing folds nothing. */
   readonly isFoldedAtFirst: () => boolean;
   readonly children: ReactNode;
 }

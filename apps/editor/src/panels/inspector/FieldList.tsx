@@ -1,12 +1,13 @@
-import { type Command, fieldInUnit, sharedValue } from '@farol/editing';
+import { type Command, fieldInUnit } from '@farol/editing';
 import { Component } from '@farol/engine';
 import { type Field, type FieldOwner, isFieldVisible, sameValue, variantOfField } from '@farol/engine/fields';
-import type { ReactElement, ReactNode } from 'react';
+import { type ReactElement, type ReactNode, useMemo } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { FieldGroup } from './FieldGroup';
 import { allAtDefault, isAtDefault } from './atDefault';
 import { FieldRow } from './FieldRow';
+import { SharedValues } from './SharedValues';
 import { useLiveTexts } from './useLiveTexts';
 
 /**
@@ -40,7 +41,8 @@ interface FieldListProps {
 /** The relevant fields of a component, or of several of one type. */
 export function FieldList({ owners, names }: FieldListProps): ReactNode {
   const { document, commands } = useEditor();
-  useOwnersRevision(owners);
+  const values = useMemo(() => new SharedValues(owners, document), [owners, document]);
+  useOwnersRevision(owners, values.forget);
   useSignal(document.previewed);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
@@ -53,7 +55,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
     .filter((name) => !owner.fields[name].deprecated || owners.some((each) => !isAtDefault(each, name)))
     .map((name) => {
       const field = fieldInUnit(shownField(owners, name), (other) => owners.map((each) => each.getAuthored(other)));
-      const { value, mixed, parts } = sharedValue(owners.map((each) => commands.valueOf(each, name)));
+      const { value, mixed, parts } = values.of(name);
       return (
         <FieldRow
           key={name}

@@ -58,7 +58,7 @@ export function InspectorPanel(): ReactNode {
       onPointerOver={show}
       onFocus={show}
       onBlur={() => setHelp('')}
-      // a finger leaves with each tap
+      // touch: the browser sends pointerleave after each tap
       onPointerLeave={({ pointerType }) => pointerType !== 'touch' && setHelp('')}
     >
       <header className="panel-header">

@@ -1,3 +1,4 @@
+import { Dialog } from '@base-ui/react/dialog';
 import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { type Action, labelOf } from '../../api/Action';
@@ -14,7 +15,7 @@ import { otherKeys } from './otherKeys';
 import { Button } from '../../ui/Button';
 
 /** Every action with its editable keys, and the fixed functions of mouse and other keys. */
-export function KeysPage(): ReactNode {
+export function KeysPage({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const bindings = useKeyBindings();
   const { chosen } = bindings.store.getState();
@@ -33,6 +34,7 @@ export function KeysPage(): ReactNode {
   );
   return (
     <>
+      <Dialog.Title>{t('Keys')}</Dialog.Title>
       <div className="keys-bar">
         <div className="keys-search">
           <Icon name="search" size={14} />
@@ -63,6 +65,9 @@ export function KeysPage(): ReactNode {
             ))}
           </section>
         )}
+      </div>
+      <div className="dialog-buttons">
+        <Button label={t('Close')} onClick={onClose} />
       </div>
     </>
   );

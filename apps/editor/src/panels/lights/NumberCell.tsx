@@ -11,7 +11,7 @@ interface NumberCellProps {
   readonly step: number;
   /** Accessible name, such as 'Intensity of Lamp'. */
   readonly label: string;
-  /** Value at the end of the dimmer beside the number; 'own' for one that grows with the value. No dimmer when absent. */
+  /** Maximum of the dimmer beside the number; 'own': relative to the value. No dimmer when absent. */
   readonly dimmer?: number | 'own';
   readonly tabIndex: number;
   /** Previews a value that was dragged. @param start - value before the drag */

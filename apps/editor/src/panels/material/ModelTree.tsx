@@ -9,7 +9,7 @@ import './material.css';
 /** Greatest number of a model's objects that are listed. */
 const MOST = 200;
 
-/** Levels of the model's tree that are unfolded at first. */
+/** Number of levels of the model's tree that are unfolded at first. */
 const OPEN_LEVELS = 2;
 
 function iconOf(object: Object3D): IconName {

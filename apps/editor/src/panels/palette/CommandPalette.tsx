@@ -11,10 +11,12 @@ import './palette.css';
 import { componentItems, fieldItems } from './fieldItems';
 import { LINES, objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
 
+const focusNow = (input: HTMLInputElement | null): void => input?.focus();
+
 /** Palette of all actions, and objects of the scene, found by typing. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
-  const [query, setQuery] = useState('');
+  const [query, setQuery] = useState(editor.dialogs.typed);
   const [chosen, setChosen] = useState(0);
   const list = useRef<HTMLUListElement>(null);
   const items = useMemo(() => paletteItems(editor), [editor]);
@@ -71,6 +73,8 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
             setChosen(0);
           }}
           onKeyDown={keyDown}
+          // in the commit that takes the field for what is typed ahead away: no key is lost between
+          ref={focusNow}
         />
       </div>
       <ul id="palette-list" className="palette-list" role="listbox" aria-label={t('Commands')} ref={list}>

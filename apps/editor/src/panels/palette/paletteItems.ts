@@ -45,7 +45,7 @@ export const groupOf = (id: string): string => {
   return groups()[first] ?? capital(first);
 };
 
-/** Objects are listed only when the search finds no more than this many. */
+/** Maximum number of found objects that are listed; of more, none is. */
 export const OBJECTS = 30;
 
 /** Runs an action that was searched for: one of a panel opens the panel, even when it is in front already. */

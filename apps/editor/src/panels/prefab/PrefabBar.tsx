@@ -19,8 +19,8 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
   const root = instanceRootOf(object);
   const prefab = root?.prefabLink ? scene.prefabs.get(root.prefabLink.prefab) : null;
   if (!root || !prefab) return null;
-  const { fields, others } = overridesOf(root);
-  const list = [...fields.map(({ path }) => path), ...others];
+  const { fields, structural } = overridesOf(root);
+  const list = [...fields.map(({ path }) => path), ...structural];
   const run = (make: typeof applyInstance) => (): void =>
     editor.attempt(() => commands.run(make(scene, root, selection.ids)));
   const none = list.length === 0;

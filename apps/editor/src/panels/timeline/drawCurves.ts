@@ -14,7 +14,7 @@ type Context = CanvasRenderingContext2D;
 export interface CurveHandle {
   readonly curve: ShownCurve;
   readonly index: number;
-  /** 0 is the handle at key `index`, 1 the one at the next key. */
+  /** End of the segment that the handle belongs to: 0 for key `index`, 1 for the next key. */
   readonly end: 0 | 1;
   readonly x: number;
   readonly y: number;

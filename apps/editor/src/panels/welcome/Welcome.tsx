@@ -1,7 +1,7 @@
 import { Dialog } from '@base-ui/react/dialog';
 import { t } from '@farol/editing';
 import { collectFiles, type FileMap } from '@farol/engine/files';
-import { type DragEvent, type ReactNode, useState } from 'react';
+import { type ReactNode, useState } from 'react';
 import type { Action } from '../../api/Action';
 import { newScene, open } from '../../actions/file';
 import { startTour } from '../../actions/help';
@@ -9,6 +9,7 @@ import { isFileDrag } from '../../files/dragAsset';
 import type { WelcomeDialog } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { useDropTarget } from '../../ui/useDropTarget';
 import { usePreferences } from '../../ui/usePreferences';
 import type { IconName } from '../../style/iconPaths';
 import { SessionList } from '../dialogs/SessionList';
@@ -27,7 +28,6 @@ export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
   const editor = useEditor();
   const isShown = usePreferences(({ showWelcome }) => showWelcome);
   useSignal(editor.fileChanged);
-  const [isOver, setOver] = useState(false);
   const [isEmpty, setEmpty] = useState(false);
   // sessions to recover may be found while the page is open
   const offer = isEmpty ? null : request.recovery;
@@ -42,22 +42,9 @@ export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
       await startWith(editor, await files);
     });
   };
-  const drop = (event: DragEvent): void => {
-    setOver(false);
-    if (!isFileDrag(event.dataTransfer)) return;
-    event.preventDefault();
-    event.stopPropagation();
-    start(collectFiles(event.dataTransfer));
-  };
-  const over = (event: DragEvent): void => {
-    if (!isFileDrag(event.dataTransfer)) return;
-    event.preventDefault();
-    event.stopPropagation();
-    event.dataTransfer.dropEffect = 'copy';
-    setOver(true);
-  };
+  const target = useDropTarget(isFileDrag, (data) => start(collectFiles(data)));
   return (
-    <div className="welcome" data-drop={isOver} onDragOver={over} onDragLeave={() => setOver(false)} onDrop={drop}>
+    <div className="welcome" {...target}>
       <header className="welcome-header">
         <Icon name="lamp" size={26} />
         <div>

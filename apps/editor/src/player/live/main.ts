@@ -33,7 +33,7 @@ document.body.append(line);
 
 /** Parts that the scene on show was made of. */
 let shown: ReadonlyMap<PartKey, string> = new Map();
-/** Parts as they were last told; null until everything came. */
+/** Parts of the scene as last received; null until all of them came. */
 let told: Map<PartKey, string> | null = null;
 /** Parts of everything, while it comes. */
 let coming: Map<PartKey, string> | null = null;

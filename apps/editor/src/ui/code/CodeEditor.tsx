@@ -24,7 +24,7 @@ interface CodeEditorProps {
   readonly problems: readonly CodeProblem[];
   /** Line (from 1) to scroll to; a new object scrolls again. */
   readonly goTo: { readonly line: number } | null;
-  /** Language and other extensions; called once for each name. */
+  /** Extensions of CodeMirror, such as the language; called when `name` changes. */
   language(this: void): Extension;
   onInput(text: string): void;
   /** Called when the editor loses the focus. */

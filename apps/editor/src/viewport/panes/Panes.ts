@@ -83,7 +83,7 @@ export class Panes {
     this.resize(this.width, this.height);
   }
 
-  /** How the views share the viewport. */
+  /** Share of the viewport that each view takes. */
   get share(): PaneShare {
     return this.part;
   }

@@ -8,7 +8,7 @@ export interface ViewChoice {
   /** Whether there are four views. */
   readonly quad: boolean;
   readonly shadings: Readonly<Record<ViewPane['name'], Shading>>;
-  /** How four views share the viewport; halves when absent, as stored by older versions. */
+  /** Shares of the viewport for four views; halves when absent, as stored by older versions. */
   readonly share?: PaneShare;
 }
 

@@ -7,7 +7,7 @@ import { drawEmitter } from './drawEmitter';
 /** Parts of the viewport that the particle preview uses. */
 export interface PreviewHost {
   readonly document: EditorDocument;
-  /** Tells those who show what the viewport does. */
+  /** Notifies panels that show the viewport's state. */
   viewChanged(): void;
 }
 

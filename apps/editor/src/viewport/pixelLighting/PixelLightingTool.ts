@@ -10,7 +10,7 @@ import { type PixelReading, readPixel } from './PixelReading';
 /** Tells of which lights a clicked pixel is made. */
 export class PixelLightingTool implements Tool {
   readonly id = 'pixel-lighting';
-  /** Emits when a pixel was taken apart, or that goes on. */
+  /** Emits when the light of a pixel was analysed, and on progress. */
   readonly changed = new Signal();
   /** The last pixel; null before the first. */
   reading: PixelReading | null = null;

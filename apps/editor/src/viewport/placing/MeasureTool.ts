@@ -4,11 +4,10 @@ import type { Tool } from '../../model/Tools';
 import { DragReadout } from '../handles/DragReadout';
 import { nearestVertex } from '../handles/nearestVertex';
 import { LineSet } from '../LineSet';
+import { PictureClicks } from '../PictureClicks';
 import type { Viewport } from '../Viewport';
 import { groundAlong, surfacesAlong } from './surfaces';
 
-/** Movement (CSS pixels) that makes a press a drag of the camera, not a click. */
-const CLICK_REACH = 4;
 /** Distance (CSS pixels) within which a vertex is preferred to the point under the pointer. */
 const VERTEX_REACH = 12;
 /** Distance up to which the ground is hit (m). */
@@ -36,23 +35,18 @@ export class MeasureTool implements Tool {
 
   private readonly lines = new LineSet('#4fc3f7');
   private readonly readout: DragReadout;
-  private readonly from = new Vector2();
-  private pointer: number | null = null;
+  private readonly clicks: PictureClicks;
   private first: Vector3 | null = null;
   private second: Vector3 | null = null;
   private isDone = false;
 
   constructor(private readonly viewport: Viewport) {
-    const { canvas, helpers, gizmo } = viewport;
+    const { canvas, helpers } = viewport;
     this.readout = new DragReadout(canvas);
-    canvas.addEventListener('pointerdown', this.pointerDown, true);
+    this.clicks = new PictureClicks(viewport, (x, y) => this.clicked(x, y));
     canvas.addEventListener('pointermove', this.pointerMove, true);
-    canvas.addEventListener('pointerup', this.pointerUp, true);
     helpers.scene.add(this.lines.three);
-    gizmo.suspended = true;
-    viewport.boxSelect.cancel();
     this.lines.end();
-    canvas.classList.add('measuring');
   }
 
   /** Both ends (m, world); the second follows the pointer until clicked. Null until there are two. */
@@ -61,19 +55,16 @@ export class MeasureTool implements Tool {
   }
 
   end(): void {
-    const { canvas, helpers, gizmo } = this.viewport;
-    canvas.removeEventListener('pointerdown', this.pointerDown, true);
+    const { canvas, helpers } = this.viewport;
+    this.clicks.end();
     canvas.removeEventListener('pointermove', this.pointerMove, true);
-    canvas.removeEventListener('pointerup', this.pointerUp, true);
-    canvas.classList.remove('measuring');
     helpers.scene.remove(this.lines.three);
     this.lines.dispose();
     this.readout.hide();
-    gizmo.suspended = false;
   }
 
   /** The point under the pointer, and whether it is a vertex. */
-  private pointAt({ clientX, clientY }: PointerEvent): { point: Vector3; isVertex: boolean } | null {
+  private pointAt(clientX: number, clientY: number): { point: Vector3; isVertex: boolean } | null {
     const { viewport } = this;
     const { left, top, width, height } = viewport.bounds;
     const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
@@ -110,14 +101,9 @@ export class MeasureTool implements Tool {
     this.changed.emit();
   }
 
-  private readonly pointerDown = (event: PointerEvent): void => {
-    this.pointer = event.button === 0 && event.isPrimary ? event.pointerId : null;
-    this.from.set(event.clientX, event.clientY);
-  };
-
   private readonly pointerMove = (event: PointerEvent): void => {
     if (event.buttons !== 0) return;
-    const at = this.pointAt(event);
+    const at = this.pointAt(event.clientX, event.clientY);
     const { left, top } = this.viewport.canvas.getBoundingClientRect();
     const x = event.clientX - left;
     const y = event.clientY - top;
@@ -137,13 +123,8 @@ export class MeasureTool implements Tool {
     this.draw();
   };
 
-  private readonly pointerUp = (event: PointerEvent): void => {
-    if (event.pointerId !== this.pointer) return;
-    this.pointer = null;
-    // clicks must not select
-    this.viewport.picker.cancel();
-    if (Math.hypot(event.clientX - this.from.x, event.clientY - this.from.y) > CLICK_REACH) return;
-    const at = this.pointAt(event);
+  private async clicked(x: number, y: number): Promise<void> {
+    const at = this.pointAt(x, y);
     if (!at) return;
     if (!this.first || this.isDone) {
       this.first = at.point;
@@ -154,5 +135,5 @@ export class MeasureTool implements Tool {
       this.isDone = true;
     }
     this.draw();
-  };
+  }
 }

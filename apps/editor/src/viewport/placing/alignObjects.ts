@@ -27,17 +27,10 @@ function boxed(scene: Scene, objects: readonly GameObject[]): Boxed[] {
 const sideOf = ({ min, max }: Box3, axis: Axis, side: AlignSide): number =>
   side === 'min' ? min[axis] : side === 'max' ? max[axis] : (min[axis] + max[axis]) / 2;
 
-const namesOf = (parts: readonly Boxed[]): GameObject[] => parts.map(({ object }) => object);
+const objectsOf = (parts: readonly Boxed[]): GameObject[] => parts.map(({ object }) => object);
 
-function moved(label: string, parts: readonly Boxed[], ways: readonly Vector3[]): Command {
-  return new SetFields(
-    label,
-    moveInWorld(
-      parts.map(({ object }) => object),
-      ways,
-    ),
-  );
-}
+const moved = (label: string, parts: readonly Boxed[], ways: readonly Vector3[]): Command =>
+  new SetFields(label, moveInWorld(objectsOf(parts), ways));
 
 /**
  * Moves objects along a world axis to align one side of their boxes with that of their common box.
@@ -50,7 +43,7 @@ export function alignObjects(scene: Scene, objects: readonly GameObject[], axis:
   const ways = parts.map(({ box }) =>
     new Vector3().setComponent('xyz'.indexOf(axis), targetSide - sideOf(box, axis, side)),
   );
-  return moved(countLabel(t('Aligned'), namesOf(parts)), parts, ways);
+  return moved(countLabel(t('Aligned'), objectsOf(parts)), parts, ways);
 }
 
 /**
@@ -83,7 +76,7 @@ export function distributeObjects(
     }
   }
   return moved(
-    countLabel(t('Distributed'), namesOf(parts)),
+    countLabel(t('Distributed'), objectsOf(parts)),
     parts,
     parts.map((part) => new Vector3().setComponent('xyz'.indexOf(axis), ways.get(part)!)),
   );

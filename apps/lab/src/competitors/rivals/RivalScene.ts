@@ -182,9 +182,6 @@ export interface RivalDrawing {
 export interface RivalModule {
   /** Version of the engine's package. */
   readonly version: string;
-  /**
-   * Makes the context; `drawFirst` makes everything else.
-   * @throws Error that names what the engine cannot do
-   */
+  /** Makes the context; `drawFirst` makes everything else. @throws Error that names what the engine cannot do */
   open(canvas: HTMLCanvasElement, scene: RivalScene, signal: AbortSignal): RivalDrawing;
 }

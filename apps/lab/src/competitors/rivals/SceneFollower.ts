@@ -26,7 +26,7 @@ export class SceneFollower {
     this.versions = Int32Array.from(sources, (mesh) => versionOf(mesh));
   }
 
-  /** Call it when the engine has made its scene. */
+  /** Begins to follow; call once the engine has made its scene. */
   start(): void {
     this.hasStarted = true;
   }

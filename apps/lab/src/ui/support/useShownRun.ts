@@ -7,7 +7,7 @@ import { isSoftware } from '../../words/device';
 export interface ShownRun {
   /** Null while the reference is fetched, or without one. */
   readonly run: LabRun | null;
-  /** Whether it is a reference of the repository. */
+  /** Whether the run is a reference of the repository. */
   readonly isReference: boolean;
   /** Reason, a sentence, why the reference cannot be displayed. */
   readonly problem: string | null;

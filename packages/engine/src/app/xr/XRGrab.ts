@@ -27,15 +27,15 @@ export class XRGrab {
 
   /** Takes, carries or lets go of an object. @param others - the hands, from which it takes what they hold */
   update(scene: Scene, seconds: number, others: readonly XRGrab[]): void {
-    const { holds } = this.hand;
-    if (holds && !this.did) this.take(scene, others);
-    else if (!holds && this.held) this.letGo();
-    this.did = holds;
+    const { isHolding } = this.hand;
+    if (isHolding && !this.did) this.grab(scene, others);
+    else if (!isHolding && this.held) this.letGo();
+    this.did = isHolding;
     if (this.held?.scene !== scene) this.held = null;
     if (this.held) this.carry(this.held, seconds);
   }
 
-  private take(scene: Scene, others: readonly XRGrab[]): void {
+  private grab(scene: Scene, others: readonly XRGrab[]): void {
     const held = this.find(scene);
     if (!held) return;
     for (const other of others) if (other.held === held) other.held = null;

@@ -24,8 +24,8 @@ export class XRHand {
   readonly ray: Group;
   private source: XRInputSource | null = null;
   /** Buttons that hold: the grip, or a pinch. */
-  private held = 0;
-  private readonly shown: readonly (Mesh | Line)[];
+  private heldButtons = 0;
+  private readonly visuals: readonly (Mesh | Line)[];
   private readonly endings: (() => void)[] = [];
 
   constructor(xr: WebXRManager, index: number, space: Object3D) {
@@ -34,7 +34,7 @@ export class XRHand {
     const body = new Mesh(new BoxGeometry(0.04, 0.03, 0.12), new MeshStandardMaterial({ color: 0x404448 }));
     const beam = new BufferGeometry().setFromPoints([new Vector3(), new Vector3(0, 0, -1)]);
     const line = new Line(beam, new LineBasicMaterial({ color: 0xffffff }));
-    this.shown = [body, line];
+    this.visuals = [body, line];
     this.grip.add(body);
     this.ray.add(line);
     space.add(this.grip, this.ray);
@@ -46,11 +46,11 @@ export class XRHand {
     listen('connected', ({ data }) => (this.source = data ?? null));
     listen('disconnected', () => {
       this.source = null;
-      this.held = 0;
+      this.heldButtons = 0;
     });
     for (const button of ['select', 'squeeze']) {
-      listen(`${button}start`, () => this.held++);
-      listen(`${button}end`, () => (this.held = Math.max(0, this.held - 1)));
+      listen(`${button}start`, () => this.heldButtons++);
+      listen(`${button}end`, () => (this.heldButtons = Math.max(0, this.heldButtons - 1)));
     }
   }
 
@@ -62,8 +62,8 @@ export class XRHand {
     return this.source !== null;
   }
 
-  get holds(): boolean {
-    return this.held > 0;
+  get isHolding(): boolean {
+    return this.heldButtons > 0;
   }
 
   /** Deflection of the stick to the right, -1 to 1. */
@@ -78,7 +78,7 @@ export class XRHand {
 
   dispose(): void {
     for (const end of this.endings) end();
-    for (const object of this.shown) {
+    for (const object of this.visuals) {
       object.removeFromParent();
       object.geometry.dispose();
       (object.material as MeshStandardMaterial).dispose();

@@ -24,7 +24,7 @@ const LEVEL = 0.7;
 const UP = new Vector3(0, 1, 0);
 const head = new Vector3();
 const front = new Vector3();
-const way = new Vector3();
+const walkStep = new Vector3();
 const place = new Vector3();
 const turn = new Quaternion();
 const normal = new Vector3();
@@ -84,9 +84,9 @@ export class XRWalk {
   /** Along where the head looks. */
   private walk(hand: XRHand, speed: number, seconds: number, character: CharacterController | null): void {
     this.camera.getWorldDirection(front).setY(0).normalize();
-    way.crossVectors(front, UP).multiplyScalar(hand.right).addScaledVector(front, -hand.back).clampLength(0, 1);
-    if (character) character.walk(way);
-    else this.move(way.multiplyScalar(speed * seconds));
+    walkStep.crossVectors(front, UP).multiplyScalar(hand.right).addScaledVector(front, -hand.back).clampLength(0, 1);
+    if (character) character.walk(walkStep);
+    else this.move(walkStep.multiplyScalar(speed * seconds));
   }
 
   private turn(hand: XRHand, step: number): void {
@@ -98,8 +98,8 @@ export class XRWalk {
     this.camera.getWorldPosition(head);
     this.rig.quaternion.premultiply(turn.setFromAxisAngle(UP, -Math.sign(hand.right) * step));
     this.rig.updateWorldMatrix(true, true);
-    this.camera.getWorldPosition(way);
-    this.move(head.sub(way).setY(0));
+    this.camera.getWorldPosition(walkStep);
+    this.move(head.sub(walkStep).setY(0));
   }
 
   private aim(hand: XRHand, character: CharacterController | null): void {
@@ -119,11 +119,11 @@ export class XRWalk {
     this.marker.removeFromParent();
     if (this.target === null) return;
     this.camera.getWorldPosition(head);
-    this.rig.getWorldPosition(way);
-    head.sub(way).setY(0);
+    this.rig.getWorldPosition(walkStep);
+    head.sub(walkStep).setY(0);
     this.target.sub(head);
     if (character) character.teleport(this.target);
-    else this.move(this.target.sub(way));
+    else this.move(this.target.sub(walkStep));
     this.target = null;
   }
 

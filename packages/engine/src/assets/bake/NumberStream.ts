@@ -35,10 +35,7 @@ export class NumberReader {
     return this.at === this.bytes.length;
   }
 
-  /**
-   * Reads the next number.
-   * @throws TypeError at the end of the bytes
-   */
+  /** Reads the next number. @throws TypeError at the end of the bytes */
   read(): number {
     let rest = 0;
     for (let factor = 1; ; factor *= 128) {

@@ -31,16 +31,16 @@ class Parts {
 
   constructor(private readonly bytes: Uint8Array<ArrayBuffer>) {}
 
-  take(length: number): Uint8Array<ArrayBuffer> {
+  readBytes(length: number): Uint8Array<ArrayBuffer> {
     if (!isCount(length, this.bytes.length - this.at)) damaged();
     return this.bytes.slice(this.at, (this.at += length));
   }
 }
 
 function readHead(parts: Parts): BakeHead {
-  if (new TextDecoder().decode(parts.take(BAKE_MAGIC.length)) !== BAKE_MAGIC) damaged();
-  const length = new DataView(parts.take(4).buffer).getUint32(0, true);
-  const head = JSON.parse(new TextDecoder().decode(parts.take(length))) as BakeHead;
+  if (new TextDecoder().decode(parts.readBytes(BAKE_MAGIC.length)) !== BAKE_MAGIC) damaged();
+  const length = new DataView(parts.readBytes(4).buffer).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(parts.readBytes(length))) as BakeHead;
   if (isCount(head.version, 1e9) && head.version > BAKE_VERSION)
     throw new Error('it was baked by a newer Farol: update Farol, or bake the light again.');
   const isRight =
@@ -92,7 +92,7 @@ async function readProbes({ probes }: BakeHead, parts: Parts): Promise<ProbeData
   if (!isTriple(min) || !isTriple(max) || !isTriple(counts)) return damaged();
   if (!counts.every((count) => isCount(count, MOST_CELLS) && count > 0)) damaged();
   const count = counts[0] * counts[1] * counts[2];
-  const halves = await inflate(parts.take(bytes), 54 * count);
+  const halves = await inflate(parts.readBytes(bytes), 54 * count);
   const coefficients = Float32Array.from({ length: 27 * count }, (_, i) => {
     const at = (i % 27) * count + Math.floor(i / 27);
     return DataUtils.fromHalfFloat(halves[at] + 256 * halves[27 * count + at]);
@@ -106,13 +106,13 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
   try {
     const parts = new Parts(new Uint8Array(bytes));
     const head = readHead(parts);
-    const packed = head.lightmaps.map((lightmap) => parts.take(lightmap.bytes));
+    const packed = head.lightmaps.map((lightmap) => parts.readBytes(lightmap.bytes));
     const lightmaps: LightmapData[] = [];
     // one after another: unpacking takes several times a lightmap's size
     for (const [i, { width, height }] of head.lightmaps.entries()) {
       lightmaps.push(await unpackLightmap(packed[i], width, height));
     }
-    const meshes = readMeshes(head, await inflate(parts.take(head.uvs[0]), head.uvs[1]));
+    const meshes = readMeshes(head, await inflate(parts.readBytes(head.uvs[0]), head.uvs[1]));
     const probes = await readProbes(head, parts);
     const { signature, lights, sky, channel } = head;
     return new BakedLight({ signature, lights, hasSky: sky === true, channel, lightmaps, meshes, probes });

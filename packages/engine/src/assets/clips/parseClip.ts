@@ -46,12 +46,12 @@ export function parseClip(text: string, name = ''): ClipData {
   try {
     data = JSON.parse(text);
   } catch {
-    fail('its data are not JSON.');
+    fail('its data are not JSON: export it again.');
   }
   const { tracks = [], events = [] } = recordOf(data) ?? fail('its data must be an object with tracks and events.');
   if (!Array.isArray(tracks)) fail('tracks must be a list.');
   if (!Array.isArray(events)) fail('events must be a list.');
-  if ((tracks as unknown[]).length > MOST_TRACKS) fail(`it has more than ${MOST_TRACKS} tracks.`);
+  if ((tracks as unknown[]).length > MOST_TRACKS) fail(`it has more than ${MOST_TRACKS} tracks: split the clip.`);
   const seen = new Set<string>();
   let keys = 0;
   const read = (tracks as unknown[]).map((each, i) => {
@@ -59,10 +59,10 @@ export function parseClip(text: string, name = ''): ClipData {
     const id = JSON.stringify([track.path, track.component, track.field]);
     if (seen.has(id)) fail(`track ${i + 1} (${describeTrack(track)}) is there twice: leave one of them.`);
     seen.add(id);
-    if ((keys += track.keys.length) > MOST_KEYS) fail(`it has more than ${MOST_KEYS} keys.`);
+    if ((keys += track.keys.length) > MOST_KEYS) fail(`it has more than ${MOST_KEYS} keys: split the clip.`);
     return track;
   });
-  if ((events as unknown[]).length > MOST_KEYS) fail(`it has more than ${MOST_KEYS} events.`);
+  if ((events as unknown[]).length > MOST_KEYS) fail(`it has more than ${MOST_KEYS} events: split the clip.`);
   const readEvents = (events as unknown[]).map((each, i) => readEvent(each, `event ${i + 1}`, fail));
   return { tracks: read, events: readEvents.toSorted((a, b) => a.time - b.time) };
 }

@@ -43,10 +43,10 @@ export class MovedObjects {
       return;
     }
     this.updates = (this.updates + 1) % UPDATES;
-    if (this.updates === 0) this.look(this.places);
+    if (this.updates === 0) this.compare(this.places);
   }
 
-  private look(places: ReadonlyMap<Mesh, readonly number[]>): void {
+  private compare(places: ReadonlyMap<Mesh, readonly number[]>): void {
     for (const [mesh, place] of places) {
       const { elements } = mesh.matrixWorld;
       for (let i = 0; i < 16; i++) {

@@ -9,7 +9,7 @@ const TYPES = ['Light', 'ObjectRenderer', 'ModelRenderer'];
 
 /** The baked light of a scene, by its setting `bakedLight`; shown by late code that is fetched with the asset. */
 export class SceneBake {
-  private shown: ShownBake | null = null;
+  private appliedBake: ShownBake | null = null;
   private light: BakedLight | null = null;
   private suspensions = 0;
 
@@ -17,7 +17,7 @@ export class SceneBake {
 
   /** Whether the scene is drawn with its baked light. */
   get isShown(): boolean {
-    return this.shown !== null;
+    return this.appliedBake !== null;
   }
 
   /** Takes the baked light off the scene while light is baked anew. @returns a function that ends it */
@@ -32,16 +32,16 @@ export class SceneBake {
 
   /** Shows the baked light that the setting names, once asset and code are loaded. */
   update(): void {
-    const light = this.wanted();
+    const light = this.bakeOfSettings();
     if (light === this.light) return;
     this.dispose();
     this.light = light;
-    this.shown = light && new (bakeCode()!)(this.scene, light.data);
+    this.appliedBake = light && new (bakeCode()!)(this.scene, light.data);
     for (const type of TYPES) for (const component of this.scene.componentsOf(type)) component.onActiveChanged();
   }
 
   /** Baked light that the scene's setting names; null while not loaded or unset. */
-  private wanted(): BakedLight | null {
+  private bakeOfSettings(): BakedLight | null {
     const { settings, assets } = this.scene;
     const name = this.suspensions > 0 ? null : settings.bakedLight;
     if (name === null) return null;
@@ -57,21 +57,21 @@ export class SceneBake {
 
   /** @internal Whether a light is in lightmaps and probes, and is not drawn. @param light - id of the component */
   hides(light: string): boolean {
-    return this.shown !== null && this.shown.hides(light);
+    return this.appliedBake !== null && this.appliedBake.hides(light);
   }
 
   /** @internal Gives the meshes of a component their lightmaps. @param component - its id */
   dress(component: string, root: Object3D): void {
-    this.shown?.dress(component, root);
+    this.appliedBake?.dress(component, root);
   }
 
   /** @internal Restores the materials and geometries of meshes that leave the scene. */
   undress(root: Object3D): void {
-    this.shown?.undress(root);
+    this.appliedBake?.undress(root);
   }
 
   dispose(): void {
-    this.shown?.end();
-    this.shown = this.light = null;
+    this.appliedBake?.end();
+    this.appliedBake = this.light = null;
   }
 }

@@ -1,6 +1,6 @@
 import { ShapeUtils, Vector2 } from 'three';
 
-/** How a polygon was cut. */
+/** Triangles of a polygon. */
 export interface CutPolygon {
   /** Three indices of corners for each triangle. */
   readonly triangles: readonly number[];

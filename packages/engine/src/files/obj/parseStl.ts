@@ -61,7 +61,8 @@ export async function parseStl(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSig
     ? await runInSlices(parseText(bytes), new Slices(signal))
     : new (await import('three/addons/loaders/STLLoader.js')).STLLoader().parse(bytes.buffer);
   const positions = geometry.getAttribute('position');
-  if (!positions || positions.count < 3) throw new Error('it has no triangles: it is empty, or not an STL file.');
+  if (!positions || positions.count < 3)
+    throw new Error('it has no triangles: it is empty, or not an STL file. Export it again.');
   if (positions.array.some((value) => !Number.isFinite(value))) {
     throw new Error('it has positions that are not numbers: export it again.');
   }

@@ -29,6 +29,7 @@ export const readers: Readonly<Record<string, MeshReader>> = {
 /** Reader of a file, by its extension. @throws Error when there is none */
 export function readerOf(path: string): MeshReader {
   const ending = /\.(\w+)$/.exec(path)?.[1].toLowerCase() ?? '';
-  if (!Object.hasOwn(readers, ending)) throw new Error(`only .${Object.keys(readers).join(', .')} can be packed.`);
+  if (!Object.hasOwn(readers, ending))
+    throw new Error(`its type cannot be packed: choose .${Object.keys(readers).join(', .')}.`);
   return readers[ending];
 }

@@ -4,7 +4,7 @@ import { type ExrHeader, readExrHeader } from './readExrHeader';
 import { runLengthSize } from './runLengthSize';
 
 const [NONE, RLE, ZIPS, ZIP, PIZ, PXR24, DWAA] = [0, 1, 2, 3, 4, 5, 8];
-/** Bytes that the samples of one row of a deep picture may come to. */
+/** Maximum size of the samples of one row of a deep picture (bytes). */
 const DEEP = 2 ** 26;
 
 const fail = (problem: string): never => {

@@ -18,7 +18,7 @@ const SIZES: Readonly<Record<string, number>> = {
   v2f: 8,
   v3f: 12,
 };
-/** Samples of a picture, and bytes of one of its blocks, that are not read any more. */
+/** Maximum number of samples of a picture, and of bytes of one of its blocks. */
 const SAMPLES = 2 ** 30;
 const BLOCK = 2 ** 28;
 const BLOCKS = 2 ** 15;

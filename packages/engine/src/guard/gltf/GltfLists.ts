@@ -23,7 +23,7 @@ const names = {
 
 export type GltfListName = keyof typeof names;
 
-/** Lists and objects within one another: extras may hold anything, and three copies them. */
+/** Maximum depth of nested lists and objects: `extras` may hold anything, and three copies it. */
 const DEEPEST = 128;
 
 /** Reads typed values from the JSON of a glTF. Each method throws an Error of one sentence for another type. */

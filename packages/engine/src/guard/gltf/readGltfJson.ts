@@ -45,7 +45,7 @@ export function readGltfJson(bytes: ArrayBuffer): GltfJson {
   const isBinary = bytes.byteLength >= 4 && view.getUint32(0, true) === glbMagic;
   const json = parseJson(isBinary ? binaryJson(view) : bytes);
   if (typeof json !== 'object' || json === null || !('asset' in json)) {
-    throw new Error("it is not a glTF: the entry 'asset' is missing.");
+    throw new Error("it is not a glTF, whose 'asset' is missing: choose another file.");
   }
   const version = shortText(String((json as GltfJson).asset?.version ?? 'of no version'));
   if (!version.startsWith('2.')) throw new Error(`it is glTF ${version}, and only glTF 2.x can be read: convert it.`);
@@ -64,12 +64,15 @@ export function binaryOf(bytes: ArrayBuffer): Uint8Array<ArrayBuffer> | null {
 }
 
 function binaryJson(view: DataView): ArrayBuffer {
-  if (view.byteLength < 20) throw new Error(`it is cut short: ${view.byteLength} bytes are less than a GLB header.`);
+  if (view.byteLength < 20)
+    throw new Error(`it is cut short (${view.byteLength} bytes are less than a GLB header): export it again.`);
   const version = view.getUint32(4, true);
   if (version !== 2) throw new Error(`it is GLB version ${version}, and only version 2 can be read: convert it.`);
   const length = view.getUint32(8, true);
   if (length > view.byteLength) {
-    throw new Error(`it is cut short: its header says ${length} bytes, and it has ${view.byteLength}.`);
+    throw new Error(
+      `it is cut short (its header says ${length} bytes, and it has ${view.byteLength}): export it again.`,
+    );
   }
   const chunkLength = view.getUint32(12, true);
   if (view.getUint32(16, true) !== jsonChunk || 20 + chunkLength > view.byteLength) {

@@ -83,7 +83,7 @@ export function checkImageSize(bytes: Uint8Array): void {
 /** A picture that is not decoded, since it would take absurd memory. */
 export class PixelsError extends Error {}
 
-/** @throws PixelsError when a picture of so many pixels would take absurd memory */
+/** @throws PixelsError when a picture has more pixels than the limit */
 export function checkPixels(width: number, height: number): void {
   if (width <= SIDE && height <= SIDE && width * height <= PIXELS) return;
   throw new PixelsError(

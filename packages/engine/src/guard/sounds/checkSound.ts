@@ -6,7 +6,7 @@ import { oggSize } from './oggSize';
 import type { SoundSize } from './SoundSize';
 import { wavSize } from './wavSize';
 
-/** Bytes of samples beyond which a sound is not decoded: 23 minutes of stereo. */
+/** Maximum size of a decoded sound (bytes): 23 minutes of stereo. */
 const MOST = 2 ** 29;
 /** Browsers give samples as floats, of the rate that they were asked for or of their own. */
 const BYTES = 4;

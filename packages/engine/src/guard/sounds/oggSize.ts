@@ -17,7 +17,7 @@ interface Stream {
   /** Number of samples up to the last page that was read. */
   samples: number;
   /** Greatest sample position in the headers of the stream's pages. */
-  said: number;
+  lastSample: number;
 }
 
 /** Samples of a packet of Opus. @see RFC 6716, 3.1 */
@@ -36,7 +36,7 @@ function beginStream(view: DataView, at: number): Stream | null {
     String.fromCharCode(
       ...new Uint8Array(view.buffer, view.byteOffset + from, Math.min(length, view.byteLength - from)),
     );
-  const counts = { samples: 0, said: 0 };
+  const counts = { samples: 0, lastSample: 0 };
   if (text(at, 7) === '\x01vorbis' && at + 30 <= view.byteLength) {
     const long = 1 << (view.getUint8(at + 28) >> 4);
     const rate = Math.max(1, view.getUint32(at + 12, true));
@@ -74,8 +74,8 @@ export function oggSize(view: DataView): SoundSize | null {
     if (begun) streams.set(serial, begun);
     if (stream) {
       // -1: no packet ends on this page, so it has no position
-      const said = Number(view.getBigInt64(at + 6, true));
-      stream.said = Math.max(stream.said, said);
+      const lastSample = Number(view.getBigInt64(at + 6, true));
+      stream.lastSample = Math.max(stream.lastSample, lastSample);
     }
     let isBeginning = (flags & 1) === 0;
     for (let i = table, end = data; i < end; i++) {
@@ -87,7 +87,7 @@ export function oggSize(view: DataView): SoundSize | null {
     at = data;
   }
   if (all.length === 0) return null;
-  const seconds = all.reduce((sum, { samples, said, rate }) => sum + Math.max(samples, said) / rate, 0);
+  const seconds = all.reduce((sum, { samples, lastSample, rate }) => sum + Math.max(samples, lastSample) / rate, 0);
   return {
     seconds,
     channels: Math.max(...all.map((each) => each.channels)),

@@ -2,7 +2,7 @@ import type { SoundSize } from './SoundSize';
 
 /** Formats of whole samples: PCM, floats, A-law, µ-law, extensible. */
 const WHOLE = new Set([1, 3, 6, 7, 0xfffe]);
-/** Bits of a sample in packed formats (ADPCM), at least. */
+/** Minimum bits of a sample in packed formats (ADPCM). */
 const PACKED = 2;
 
 /** The size of a WAV; what its header says beyond the end of the file is not counted. @see RIFF, WAVEFORMATEX */

@@ -42,9 +42,9 @@ function readEntries(view: DataView<ArrayBuffer>): Entry[] {
   if (end < first) damaged('its end is not there');
   const count = view.getUint16(end + 10, true);
   let at = view.getUint32(end + 16, true);
-  if (count === 0xffff || at === 0xffffffff) fail('The ZIP is a ZIP64, as for more than 4 GB: make a smaller one.');
+  if (count === 0xffff || at === 0xffffffff) fail('The ZIP is a ZIP64, made for more than 4 GB: make a smaller one.');
   if (count > unpackLimits.entries) {
-    fail(`The ZIP holds ${counted(count)} files, and ${counted(unpackLimits.entries)} is the limit.`);
+    fail(`The ZIP holds ${counted(count)} files, and ${counted(unpackLimits.entries)} is the limit: split it.`);
   }
   const entries: Entry[] = [];
   for (let i = 0; i < count; i++) {

@@ -78,7 +78,7 @@ const makePoint = (): WebGLRenderTarget =>
 export class AutomaticExposureEffect extends postprocessing.Effect {
   private readonly limits = new Vector2();
   private readonly picture = new Uniform<unknown>(null);
-  private readonly before = new Uniform<unknown>(null);
+  private readonly previous = new Uniform<unknown>(null);
   private readonly adapted = new Uniform<unknown>(null);
   private readonly share = new Uniform(1);
   private readonly logarithms: WebGLRenderTarget;
@@ -101,12 +101,12 @@ export class AutomaticExposureEffect extends postprocessing.Effect {
     });
     this.measure = new ScreenPass(measureCode, { picture: this.picture });
     const measured = new Uniform(this.logarithms.texture);
-    this.adapt = new ScreenPass(adaptCode, { measured, before: this.before, share: this.share });
+    this.adapt = new ScreenPass(adaptCode, { measured, before: this.previous, share: this.share });
   }
 
   /** Takes limits, and how far the exposure adapts in the next frame. */
-  follow({ least, most, time }: AutomaticExposure, scene: Scene, camera: Camera): void {
-    this.limits.set(least, Math.max(least, most));
+  follow({ minEV, maxEV, time }: AutomaticExposure, scene: Scene, camera: Camera): void {
+    this.limits.set(minEV, Math.max(minEV, maxEV));
     const passed = scene.time - this.time;
     const isAtOnce = camera !== this.camera || time === 0 || passed < 0 || !scene.isSimulated;
     this.share.value = isAtOnce ? 1 : 1 - Math.exp(-passed / time);
@@ -117,7 +117,7 @@ export class AutomaticExposureEffect extends postprocessing.Effect {
   override update(webgl: WebGLRenderer, from: WebGLRenderTarget): void {
     const [before, next] = this.points;
     this.picture.value = from.texture;
-    this.before.value = before.texture;
+    this.previous.value = before.texture;
     this.measure.render(webgl, null, this.logarithms);
     this.adapt.render(webgl, null, next);
     this.adapted.value = next.texture;

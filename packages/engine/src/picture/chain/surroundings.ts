@@ -20,7 +20,7 @@ export const surroundings = {
     }
   },
 
-  /** Gives them back as they were before the last `toneMap`. */
+  /** Restores the colours of background and fog from before the last `toneMap`. */
   restore(scene: Scene): void {
     if (scene.background instanceof Color) scene.background.copy(background);
     scene.fog?.color.copy(fog);

@@ -5,7 +5,7 @@ import type { FarolView } from '../../renderer/SceneView';
 /** Maximum number of objects tested; a scene with more counts as lit. */
 const LOOKS = 64;
 
-let looks = 0;
+let visits = 0;
 
 /**
  * Whether a draw is for Farol. What shows no light, such as the full-screen triangles of post-processing and pictures of
@@ -19,14 +19,14 @@ export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean):
   if ((scene as FarolView).isFarolView) return false; // another FarolRenderer draws this scene
   const { overrideMaterial = null } = scene as Scene;
   if (overrideMaterial !== null) return isLit(overrideMaterial);
-  looks = LOOKS;
+  visits = LOOKS;
   // a full-screen triangle is alone in its scene
-  return hasLit(scene) || (effects && LOOKS - looks > 2);
+  return hasLit(scene) || (effects && LOOKS - visits > 2);
 }
 
 /** Whether an object or a descendant is lit, or there are more than LOOKS objects. */
 function hasLit(object: Object3D): boolean {
-  if (--looks < 0) return true;
+  if (--visits < 0) return true;
   const { material } = object as Partial<Mesh>;
   if (material !== undefined && (Array.isArray(material) ? material.some((one) => one && isLit(one)) : isLit(material)))
     return true;

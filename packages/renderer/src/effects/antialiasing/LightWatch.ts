@@ -15,15 +15,15 @@ export class LightWatch {
   /** Whether a light seen before has changed. With many lights, some are compared only in later frames. */
   changed(lights: Pick<LightTable, 'directionals' | 'unboundeds' | 'boundeds'>): boolean {
     const { boundeds } = lights;
-    let changed = this.look(lights.directionals, 0, LOOKS);
-    changed = this.look(lights.unboundeds, 0, LOOKS) || changed;
+    let changed = this.compare(lights.directionals, 0, LOOKS);
+    changed = this.compare(lights.unboundeds, 0, LOOKS) || changed;
     if (this.next >= boundeds.length) this.next = 0;
-    changed = this.look(boundeds, this.next, LOOKS) || changed;
+    changed = this.compare(boundeds, this.next, LOOKS) || changed;
     this.next += LOOKS;
     return changed;
   }
 
-  private look(lights: readonly Light[], from: number, count: number): boolean {
+  private compare(lights: readonly Light[], from: number, count: number): boolean {
     let changed = false;
     const end = Math.min(lights.length, from + count);
     for (let i = from; i < end; i++) {

@@ -160,7 +160,7 @@ function copyTimes(object: Object3D, times: number[]): void {
 
 function displacementOfOne(material: Material): number {
   const surfaces = surfacesOf(material);
-  return surfaces?.displaces === true ? surfaces.shape() + 1 : 0;
+  return surfaces?.displaces === true ? surfaces.shapeVersion() + 1 : 0;
 }
 
 function worldOf(object: Object3D, out: Float64Array): void {

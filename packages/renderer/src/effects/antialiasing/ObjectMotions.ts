@@ -1,7 +1,7 @@
 import type { Object3D } from 'three';
 import { ObjectMotion } from './ObjectMotion';
 
-/** Frames without being seen after which an object's textures are freed. */
+/** Number of frames after which the textures of an object out of view are freed. */
 const UNSEEN = 60;
 
 /** States of objects in the last frame of one camera and scene. */

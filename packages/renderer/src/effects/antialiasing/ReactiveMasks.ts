@@ -32,7 +32,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
   }
 
   /** Mask of the last frame; null when nothing in it was reactive. */
-  get before(): Texture | null {
+  get previous(): Texture | null {
     return this.wasDrawn ? (this.targets[1]?.texture ?? null) : null;
   }
 

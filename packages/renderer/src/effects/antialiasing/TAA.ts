@@ -28,15 +28,15 @@ const SIZE = ['farol_frameSize'];
 const SAMPLES = 32;
 /** Factor on the new frame's weight for pixels that stand still while others move. */
 const STILL = 0.5;
-/** Frames after a change of lights or materials in which history is always clipped to present neighbours. */
+/** Number of frames after a change of lights or materials in which history is always clipped to neighbours. */
 const RELIT = 8;
-/** Frames after an object appears or begins to move in which pixels without motion are not taken to stand still. */
+/** Number of frames after an object appears or begins to move in which no pixel counts as still. */
 const MET = 2;
-/** Frames without any change after which all frames begin to be averaged. */
+/** Number of frames without any change after which all frames are averaged. */
 const SETTLED = 4;
 /** Number of frames as which the accumulated picture counts after objects have moved. */
 const MOVED = 3;
-/** Pixels of a picture from which on the default of `cells` is 1. */
+/** Number of pixels from which on the default of `cells` is 1. */
 const LARGE = 4e6;
 /** Cosine of the camera's turn between two frames below which the frame counts as a cut to another shot. */
 const CUT = 0.7;
@@ -193,11 +193,11 @@ export class TAA implements FarolEffect {
     uniforms.farol_reachBefore.value = history.reach;
     uniforms.farol_motionMap.value = motion.target?.texture ?? null;
     uniforms.farol_hasMotion.value = motion.drawn;
-    const { now, before } = history.reactive;
+    const { now, previous } = history.reactive;
     uniforms.farol_reactive.value = now ?? picture.texture;
-    uniforms.farol_reactiveBefore.value = before ?? picture.texture;
+    uniforms.farol_reactiveBefore.value = previous ?? picture.texture;
     uniforms.farol_isReactive.value[0] = now === null ? 0 : 1;
-    uniforms.farol_isReactive.value[1] = before === null ? 0 : 1;
+    uniforms.farol_isReactive.value[1] = previous === null ? 0 : 1;
     uniforms.farol_hasPast.value = !history.isEmpty;
     uniforms.farol_sizeBefore.value.copy(history.sizeBefore);
     uniforms.farol_encoded.value = picture.encoded;
@@ -243,11 +243,11 @@ export class TAA implements FarolEffect {
     // a moving camera sees new objects; changes among them are left to clipping
     const relit =
       history.lights.changed(frame.lights) ||
-      (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.looks));
-    history.looks = looks;
+      (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.materialHash));
+    history.materialHash = looks;
     // pixels of the former reactive mask begin anew among settled ones
     const { reactive } = history;
-    const covers = reactive.now !== null || reactive.before !== null;
+    const covers = reactive.now !== null || reactive.previous !== null;
     const resized = history.sizeBefore.x !== frame.width || history.sizeBefore.y !== frame.height;
     const changed = moved || relit || resized || motion.changed || covers || frame.shadowMapsDrawn > 0;
     history.sure = follows && relit ? 0 : history.sure + 1;

@@ -41,7 +41,7 @@ export class TemporalHistory {
   /** Number of the last frame; `reset` does not change it. */
   frame = 0;
   /** Hash of the last frame's materials and surroundings, by `looksOf`. */
-  looks = 0;
+  materialHash = 0;
   /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
   readonly gathered = new Vector4();
   private readonly targets = [new PassTarget(CELLS), new PassTarget(CELLS)];

@@ -44,7 +44,7 @@ function looksOfList(items: RenderQueue['opaque']): number {
       return Number.NaN;
     const own = m.id + m.version * 0.37 + m.opacity * 5 + colour(m.color) + colour(m.emissive) * 3;
     const numbers = number(m.emissiveIntensity) + number(m.roughness) * 3 + number(m.metalness) * 5 + texture(m.map);
-    const surfaces = surfacesOf(m)?.look() ?? 0;
+    const surfaces = surfacesOf(m)?.colourVersion() ?? 0;
     sum += (own + numbers + surfaces) * ((i % 97) + 1);
   }
   return sum;

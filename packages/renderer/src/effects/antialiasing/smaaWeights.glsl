@@ -52,10 +52,10 @@ bool farol_isEdge(const in ivec2 pixel, const in int along) {
   return farol_edgesAt(pixel)[along] > 0.5;
 }
 
-// The way an edge turns at its end: 1 to the own side, -1 to the other, 2 both, 0 neither. A step of a slanted line
-// goes on outwards for a part of its length before: for the given number of pixels at least. What does not is a corner,
-// the end of a thin line, or its crossing with another, and stays sharp: else lines would thin out there, or blur.
-// own, other: whether an edge across leaves to either side; outside: the pixel beyond the end, on the own side
+// Direction in which an edge turns at its end: 1 to its own side, -1 to the other, 2 both, 0 neither.
+// Slanted lines: the edge continues on the next row for the given number of pixels at least. Corners, ends of thin
+// lines and crossings do not, and are not smoothed: thin lines would fade there.
+// own, other: whether a crossing edge leaves to that side; outside: the pixel beyond the end, on the own side
 float farol_turn(const in bool own, const in bool other, const in ivec2 outside, const in ivec2 over,
   const in ivec2 outwards, const in int along, const in int pixels) {
   bool ownStep = own;

@@ -126,7 +126,7 @@ export class Decals implements FarolEffect {
   /** Copies the surface attachments that are read while written, and sets the uniforms to the copies. */
   private prepare(frame: Frame, gbuffer: GBuffer): void {
     const { copies, uniforms } = this;
-    copies.take(frame, gbuffer);
+    copies.copy(frame, gbuffer);
     this.materials ??= this.makeMaterials(frame);
     this.framebuffers.follow(frame, gbuffer);
     frame.bind(gbuffer.target); // sets the viewport of the G-buffer

@@ -34,7 +34,7 @@ export class SurfaceCopies {
   }
 
   /** Copies normals, albedo and distances of a G-buffer. Leaves another target bound. */
-  take(frame: Frame, { target, storesDistance }: GBuffer): void {
+  copy(frame: Frame, { target, storesDistance }: GBuffer): void {
     const { z: width, w: height } = target.viewport;
     this.gbuffer = target;
     this.normals = (storesDistance ? this.distanceTarget : this.normalTarget).of(width, height);

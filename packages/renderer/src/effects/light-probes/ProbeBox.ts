@@ -7,7 +7,7 @@ export interface ProbeBox {
   readonly counts: readonly [number, number, number];
 }
 
-/** How many probes a grid has. */
+/** Number of probes of a grid. */
 export const probeCount = ({ counts }: ProbeBox): number => counts[0] * counts[1] * counts[2];
 
 /** Places of the probes of a grid, three numbers each (m), x fastest and z slowest. */

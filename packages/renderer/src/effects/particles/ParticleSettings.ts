@@ -136,7 +136,7 @@ export interface ParticleSettings {
   /** Length of a stretched particle for each m/s of its speed (s). Default 0.05. */
   stretch: number;
   /**
-   * How meshes begin: turned by `initialRotation` about an axis that is random for each, or about the mesh's +Y, which then is
+   * Initial rotation of meshes: by `initialRotation` about an axis that is random for each, or about the mesh's +Y, which then is
    * the emitter's or points along the particle's velocity. Default 'random'.
    */
   orientation: 'random' | 'emitter' | 'velocity';

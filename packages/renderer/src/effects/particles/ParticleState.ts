@@ -94,7 +94,7 @@ export class ParticleState {
   private material: OutputMaterial | null = null;
   private maskMaterial: OutputMaterial | null = null;
   private parts: ParticleLook | null = null;
-  private look = '';
+  private partsKey = '';
 
   constructor(private readonly emitter: ParticleEmitter) {
     this.curves = floatTexture(new Float32Array(4 * CURVE_TEXELS * CURVE_ROWS), CURVE_TEXELS, CURVE_ROWS);
@@ -122,10 +122,7 @@ export class ParticleState {
     return this.particles![0].textures[1];
   }
 
-  /**
-   * Simulates the emitter's pending steps. Binds targets.
-   * @returns whether there were any
-   */
+  /** Simulates the emitter's pending steps. Binds targets. @returns whether there were any */
   simulate(frame: Frame, pass: ReturnType<typeof particleStepPass>): boolean {
     const { emitter } = this;
     const { pending } = emitter;
@@ -270,7 +267,7 @@ export class ParticleState {
     this.surface?.dispose();
     this.surface = null;
     this.dropMaterials();
-    this.look = '';
+    this.partsKey = '';
     this.dropOrder();
   }
 
@@ -387,13 +384,13 @@ export class ParticleState {
   private materialFor(frame: Frame): OutputMaterial {
     const { render, blending, lit, texture, softness } = this.emitter;
     const look = `${render} ${blending} ${lit} ${texture !== null} ${softness > 0}`;
-    if (this.material === null || this.look !== look) {
+    if (this.material === null || this.partsKey !== look) {
       this.dropMaterials();
       const sorted = blending !== 'additive';
       const parts = { render, blending, lit, map: texture !== null, soft: softness > 0, sorted };
       this.parts = parts;
       this.material = particleMaterial(frame, parts, this.uniforms);
-      this.look = look;
+      this.partsKey = look;
     }
     return this.material;
   }

@@ -46,9 +46,7 @@ const oneOf =
   (value) =>
     names.includes(value as string) ? null : `one of: ${names.join(', ')}`;
 
-/**
- * @param what - allowed value in words, put after "null or"
- */
+/** @param what - allowed value in words, put after "null or" */
 const orNull =
   (isIt: (value: object) => boolean, what: string): Check =>
   (value) =>

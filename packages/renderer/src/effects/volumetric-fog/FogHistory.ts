@@ -4,7 +4,7 @@ import { FroxelTexture } from './FroxelTexture';
 
 /** Maximum number of frames that are averaged while nothing changes. */
 const MOST = 64;
-/** Frames whose mean the history is after lights have changed. */
+/** Maximum number of frames averaged after lights have changed. */
 const CHANGED = 3;
 
 /** Froxels of the frames before, for one camera. */
@@ -18,7 +18,7 @@ export class FogHistory {
   frame = 0;
   /** Frames in the mean; 0 for none. */
   count = 0;
-  /** Share of this frame in slices that are lit in it, and in the others of their turns. */
+  /** Weight of this frame in slices that it lights; `otherShare`: in slices that it does not light. */
   share = 1;
   otherShare = 1;
   /** Frames since lights changed. */
@@ -26,7 +26,7 @@ export class FogHistory {
   /** Lights of the last frame. */
   lightCount = 0;
   /** Sum over the settings of the last frame, by which changes are found. */
-  looks = 0;
+  settingsHash = 0;
   private readonly textures = [new FroxelTexture(), new FroxelTexture()];
 
   get bytes(): number {
@@ -34,12 +34,12 @@ export class FogHistory {
   }
 
   /** Froxels of the last frame. */
-  get before(): FroxelTexture {
+  get previous(): FroxelTexture {
     return this.textures[1 - (this.frame & 1)];
   }
 
   /** Froxels of this frame. */
-  get now(): FroxelTexture {
+  get current(): FroxelTexture {
     return this.textures[this.frame & 1];
   }
 

@@ -22,7 +22,7 @@ export class FogMedium {
     farol_fogVolumeShape: many(() => new Vector2()),
   };
   /** Checksum of all settings but time: it changes with any of them, and the history is then dropped. */
-  looks = 0;
+  settingsHash = 0;
   /** Whether the noise has moved since the last frame. */
   drifts = false;
   private lastTime = 0;
@@ -33,12 +33,12 @@ export class FogMedium {
     const { uniforms } = this;
     const { density, albedo, height, falloff, noise, noiseSize, wind } = fog;
     const time = fog.time ?? performance.now() / 1000;
-    this.looks = fog.anisotropy * 3 + fog.distance * 5 + wind.x * 7 + wind.y * 11 + wind.z * 13;
+    this.settingsHash = fog.anisotropy * 3 + fog.distance * 5 + wind.x * 7 + wind.y * 11 + wind.z * 13;
     uniforms.farol_fogScatter.value.set(albedo.r * density, albedo.g * density, albedo.b * density, density);
     uniforms.farol_fogHeight.value.set(height, falloff > 0 ? 1 / falloff : 0, noise, 1 / Math.max(noiseSize, 1e-3));
     uniforms.farol_fogDrift.value.copy(wind).multiplyScalar(time);
-    this.look(uniforms.farol_fogScatter.value);
-    this.look(uniforms.farol_fogHeight.value);
+    this.hash(uniforms.farol_fogScatter.value);
+    this.hash(uniforms.farol_fogHeight.value);
     this.drifts = noise > 0 && time !== this.lastTime;
     this.lastTime = time;
     this.readVolumes(frame);
@@ -60,21 +60,21 @@ export class FogMedium {
       const scatter = farol_fogVolumeScatter.value[count];
       scatter.set(albedo.r * density, albedo.g * density, albedo.b * density, density);
       farol_fogVolumeShape.value[count].set(shape === 'sphere' ? 1 : 0, 1 / Math.max(softness, 1e-3));
-      this.look(scatter);
-      for (let i = 0; i < 16; i++) this.looks += inverse.elements[i] * (i + 2);
-      this.looks += softness * 19 + (shape === 'sphere' ? 23 : 29);
+      this.hash(scatter);
+      for (let i = 0; i < 16; i++) this.settingsHash += inverse.elements[i] * (i + 2);
+      this.settingsHash += softness * 19 + (shape === 'sphere' ? 23 : 29);
       count++;
     }
     farol_fogVolumes.value = count;
   }
 
-  private look({ x, y, z, w }: Vector4): void {
-    this.looks = this.looks * 1.0625 + x + y * 2 + z * 3 + w * 5;
+  private hash({ x, y, z, w }: Vector4): void {
+    this.settingsHash = this.settingsHash * 1.0625 + x + y * 2 + z * 3 + w * 5;
   }
 
   private warn(): void {
     if (!this.hasWarned)
-      console.warn(`Farol: more than ${MOST_VOLUMES} fog volumes are in view; the others are not drawn.`);
+      console.warn(`Farol: more than ${MOST_VOLUMES} fog volumes are in view, and the rest is not drawn; use fewer.`);
     this.hasWarned = true;
   }
 }

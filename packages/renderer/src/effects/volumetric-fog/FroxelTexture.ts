@@ -33,10 +33,7 @@ export class FroxelTexture {
     });
   }
 
-  /**
-   * Binds slices for the draws that follow.
-   * @param draw - index among the draws of so many `layers`
-   */
+  /** Binds slices for the draws that follow. @param draw - index of the draw, each of `layers` slices */
   bind(frame: Frame, draw: number, layers: number): void {
     const { gl, webgl } = frame;
     frame.bind(this.target as unknown as WebGLRenderTarget); // sets the viewport, and makes the texture

@@ -232,15 +232,15 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     const { elements: e } = camera.projectionMatrix;
     grid.farol_fogRay.value.set(1 / e[0], 1 / e[5], e[8], e[9]);
     this.findLights(frame, size);
-    history.now.fit(size);
+    history.current.fit(size);
     integrated.fit(size);
     const scatter = (this.scatter ??= fogScatterPass(grid, medium.uniforms, layers));
     this.setScatter(scatter.uniforms, frame, history);
-    this.drawSlices(frame, scatter, history.now, size[2]);
+    this.drawSlices(frame, scatter, history.current, size[2]);
     const integrate = (this.integrate ??= fogIntegratePass(grid, layers));
-    integrate.uniforms.farol_froxels.value = history.now.texture;
+    integrate.uniforms.farol_froxels.value = history.current.texture;
     this.drawSlices(frame, integrate, integrated, size[2]);
-    this.scattered = history.now.texture;
+    this.scattered = history.current.texture;
     frame.resources.put('froxels', this);
     history.advance(camera);
     uniforms.farol_media.value = integrated.texture;
@@ -277,7 +277,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     const { turns } = this;
     const { frame } = history;
     uniforms.farol_fogLights.value = this.lights.texture;
-    uniforms.farol_fogBefore.value = history.before.texture;
+    uniforms.farol_fogBefore.value = history.previous.texture;
     uniforms.farol_fogToWorld.value.copy(camera.matrixWorld);
     uniforms.farol_fogToBefore.value.multiplyMatrices(history.view, camera.matrixWorld);
     uniforms.farol_fogRayBefore.value.copy(history.ray);
@@ -296,8 +296,8 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
   /** Finds how many frames the history is the mean of, by what has changed. */
   private note({ camera, lights, fields, shadowMapsDrawn }: Frame, history: FogHistory, lightCount: number): void {
     const { medium, turns, work } = this;
-    if (history.looks !== medium.looks) history.count = 0;
-    history.looks = medium.looks;
+    if (history.settingsHash !== medium.settingsHash) history.count = 0;
+    history.settingsHash = medium.settingsHash;
     const { elements: e } = camera.projectionMatrix;
     const { x, y } = history.ray;
     const isStill = !medium.drifts && fields === null && shadowMapsDrawn === 0;

@@ -18,7 +18,7 @@ import { beforeLastBrace } from '../../three/beforeLastBrace';
 import { findChunk } from '../../three/replaceChunk';
 import mediaOn from './mediaOn.glsl?raw';
 
-/** How a draw's colour meets the fog before it, by how it is blended with what is behind. */
+/** Blending of a draw, which decides how fog is applied to its colour. */
 type Blend = 'over' | 'premultiplied' | 'added' | 'multiplied';
 
 const COLOUR: Record<Blend, string> = {

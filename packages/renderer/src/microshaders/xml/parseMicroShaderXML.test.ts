@@ -46,19 +46,19 @@ describe('parseMicroShaderXML', () => {
   });
 
   it.each([
-    ['', /test\.xml:1: there is no root element/],
+    ['', /test\.xml:1: the file has no root element/],
     ['<shaders/>', /test\.xml:1: the root is <shaders>, not <microshaders>/],
     ['<!DOCTYPE html><html></html>', /test\.xml:1: "<!DOCTYPE html><html" is not XML/],
     ['<microshaders>\n<microshader name="a">', /test\.xml:2: <microshader> of line 2 is never closed/],
-    ['<microshaders>\n</microshader>', /test\.xml:2: <\/microshader> where <\/microshaders> \(line 1\) should be/],
-    ['<microshaders/>\n<microshaders/>', /test\.xml:2: a second root element/],
-    ['<microshaders/>\nmore', /test\.xml:2: text outside the root/],
+    ['<microshaders>\n</microshader>', /test\.xml:2: <\/microshader> does not close <microshaders> of line 1; write/],
+    ['<microshaders/>\n<microshaders/>', /test\.xml:2: <microshaders> is a second root element/],
+    ['<microshaders/>\nmore', /test\.xml:2: text is outside the root/],
     ['</microshaders>', /test\.xml:1: <\/microshaders> closes nothing/],
     [inside('<microshader/>'), /test\.xml:2: <microshader> without a name/],
     [inside('<microshader name=""/>'), /test\.xml:2: <microshader> without a name/],
     [inside('<microshader name="a b"/>'), /test\.xml:2: Microshader name "a b"/],
     [inside('<microshader name="a"/>\n<microshader name="a"/>'), /test\.xml:3: a second microshader named "a"/],
-    [inside('<microshader name="a" name="b"/>'), /test\.xml:2: attribute "name" twice/],
+    [inside('<microshader name="a" name="b"/>'), /test\.xml:2: attribute "name" is twice/],
     [inside('<microshader name=a/>'), /test\.xml:2: "<microshader name=a\/>?" is not XML/],
     [inside('<microshader name="a" depends="b"/>'), /test\.xml:2: attribute "depends" is unknown/],
     [inside('<microshader name="a" stage="pixel"/>'), /test\.xml:2: Microshader "a" has the stage "pixel"/],
@@ -80,7 +80,7 @@ describe('parseMicroShaderXML', () => {
       inside('<microshader name="a">float b;</microshader>'),
       /test\.xml:2: text directly inside <microshader>: "float b;"/,
     ],
-    [inside('<microshader name="a"><main>]]></main></microshader>'), /test\.xml:2: "\]\]>" without/],
+    [inside('<microshader name="a"><main>]]></main></microshader>'), /test\.xml:2: "\]\]>" closes nothing/],
     [inside('<!-- a -- b -->'), /test\.xml:2: "<!-- a -- b -->" is not XML/],
   ])('refuses %j', (text, message) => {
     expect(() => parse(text)).toThrow(message);

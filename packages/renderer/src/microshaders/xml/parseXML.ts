@@ -56,17 +56,17 @@ export function parseXML(text: string, file: string): XMLElement {
   const append = (value: string) => {
     const parent = stack.at(-1);
     if (parent) parent.text += value;
-    else if (value.trim() !== '') fail('text outside the root element', /^\s*/.exec(value)![0]);
+    else if (value.trim() !== '') fail('text is outside the root element; move it inside', /^\s*/.exec(value)![0]);
   };
   const open = (name: string, attributes: string, end: number): XMLElement => {
     const values: Record<string, string> = {};
     for (const [, key, quoted] of attributes.matchAll(new RegExp(ATTRIBUTE, 'g'))) {
-      if (Object.hasOwn(values, key)) fail(`attribute "${shortText(key)}" twice in <${shortText(name)}>`);
+      if (Object.hasOwn(values, key)) fail(`attribute "${shortText(key)}" is twice in <${shortText(name)}>; leave one`);
       values[key] = unescaped(quoted.slice(1, -1).replace(/\s/g, ' '));
     }
     const element = { name, attributes: values, children: [], text: '', line, textLine: end };
     if (stack.length > 0) stack.at(-1)!.children.push(element);
-    else if (root) fail(`a second root element <${shortText(name)}>`);
+    else if (root) fail(`<${shortText(name)}> is a second root element; put all into one`);
     root ??= element;
     return element;
   };
@@ -85,20 +85,23 @@ export function parseXML(text: string, file: string): XMLElement {
       const element = open(name, attributes, end);
       if (empty === '') stack.push(element);
     } else if (close !== undefined) {
-      const opened = stack.pop() ?? fail(`</${shortText(close)}> closes nothing`);
+      const opened = stack.pop() ?? fail(`</${shortText(close)}> closes nothing; take it out`);
       if (opened.name !== close)
-        fail(`</${shortText(close)}> where </${shortText(opened.name)}> (line ${opened.line}) should be`);
+        fail(
+          `</${shortText(close)}> does not close <${shortText(opened.name)}> of line ${opened.line}; write </${shortText(opened.name)}>`,
+        );
     } else if (data !== undefined) {
-      if (stack.length === 0) fail('CDATA outside the root element');
+      if (stack.length === 0) fail('CDATA is outside the root element; move it inside');
       append(data);
     } else if (plain !== undefined) {
-      if (plain.includes(']]>')) fail('"]]>" without <![CDATA[');
+      if (plain.includes(']]>')) fail('"]]>" closes nothing; write <![CDATA[ before it');
       append(unescaped(plain));
     }
     line = end;
   }
-  if (stack.length > 0) fail(`<${shortText(stack.at(-1)!.name)}> of line ${stack.at(-1)!.line} is never closed`);
-  return root ?? fail('there is no root element');
+  if (stack.length > 0)
+    fail(`<${shortText(stack.at(-1)!.name)}> of line ${stack.at(-1)!.line} is never closed; close it`);
+  return root ?? fail('the file has no root element; write one');
 }
 
 function newlines(text: string): number {

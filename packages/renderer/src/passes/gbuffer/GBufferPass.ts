@@ -1,3 +1,4 @@
+import { type MeshStandardMaterial, type Scene, UVMapping } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { fitsGBuffer, GBufferTarget } from './GBufferTarget';
 import { exceedsGBuffer } from '../../gbuffer/exceedsGBuffer';
@@ -20,8 +21,11 @@ export class GBufferPass implements Pass {
 
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
+    // three blends an environment without a mapping as a cube map into Lambert and Phong materials, lights included
+    const blends = (frame.scene as Scene).environment?.mapping === UVMapping;
     for (const item of frame.queue.opaque) {
       if (!fitsGBuffer(item, frame.isLite) || exceedsGBuffer(item.material, frame.lights)) continue;
+      if (blends && !(item.material as MeshStandardMaterial).isMeshStandardMaterial) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }

@@ -126,7 +126,7 @@ describe('BudgetController', () => {
     expect(controller.reason).toBe(REASONS.unknown);
     simulate(controller, device({ pixels: 400 }), 'gpu').draw(60);
     expect(controller.scale).toBe(0.5);
-    expect(controller.reason).toBe(REASONS.least);
+    expect(controller.reason).toBe(REASONS.smallest);
     simulate(controller, device({ pixels: 1 }), 'gpu').draw(60);
     expect(controller.scale).toBe(0.9);
     expect(controller.reason).toBe(REASONS.largest);

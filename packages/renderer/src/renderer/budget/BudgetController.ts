@@ -76,7 +76,7 @@ export class BudgetController {
     return this.scaleOf(this.step);
   }
 
-  /** Begins a frame: goes on to the goal. @returns its scale */
+  /** Begins a frame: moves the scale a step towards its goal. @returns the frame's scale */
   advance(): number {
     const off = this.goal - this.step;
     if (off !== 0) this.load.fade();
@@ -138,7 +138,7 @@ export class BudgetController {
       this.turn(Math.min(Math.max(goal, this.step - most), this.step + most));
     } else if (Math.abs(this.share(this.goal) - AIM) > band) this.goal = this.step;
     if (this.goal !== this.step) this.reason = off > 0 ? REASONS.slow : REASONS.fast;
-    else if (off > band) this.reason = REASONS.least;
+    else if (off > band) this.reason = REASONS.smallest;
     else this.reason = off < -band ? REASONS.largest : REASONS.held;
   }
 
@@ -235,6 +235,6 @@ export class BudgetController {
     this.inTime = 0;
     this.sinceTrial = Infinity;
     this.turn(Math.min(this.steps, this.step + (this.blamed ? 1 : steps)));
-    this.reason = this.goal === this.step ? REASONS.least : REASONS.slow;
+    this.reason = this.goal === this.step ? REASONS.smallest : REASONS.slow;
   }
 }

@@ -2,9 +2,9 @@ import type { Camera } from 'three';
 import { GpuTimer } from '../timer';
 import type { BudgetController } from './BudgetController';
 
-/** Frames that are timed by the GPU at once, at most. */
+/** Maximum number of pending GPU timer queries. */
 const FRAMES = 16;
-/** Frames without an answer of the GPU's timer after which intervals count. */
+/** Number of frames without a result of the GPU timer after which intervals count. */
 const SILENT = 40;
 /** Draws by other cameras after which one of them begins frames in place of a camera that is gone. */
 const OTHERS = 32;
@@ -19,7 +19,7 @@ export class FrameClock {
   private passTimer: GpuTimer | null = null;
   private controller: BudgetController | null = null;
   private lead: WeakRef<Camera> | null = null;
-  private others = 0;
+  private otherCameraDraws = 0;
   /** Time at which the frame began (ms); -1 before the first. */
   private started = -1;
   private refreshes = 0;
@@ -34,10 +34,7 @@ export class FrameClock {
 
   constructor(private readonly gl: WebGL2RenderingContext) {}
 
-  /**
-   * Begins a draw.
-   * @param passTimer - times the passes already; null for none
-   */
+  /** Begins a draw. @param passTimer - times the passes already; null for none */
   begin(camera: Camera, controller: BudgetController, passTimer: GpuTimer | null): void {
     if (this.leads(camera)) this.beginFrame(controller);
     this.timer ??= new GpuTimer(this.gl);
@@ -45,7 +42,7 @@ export class FrameClock {
     this.controller = controller;
     const timer = passTimer ?? this.timer;
     timer.tag = this.frame;
-    timer.onTime = this.take;
+    timer.onTime = this.addTime;
     if (passTimer !== null) return;
     timer.poll();
     timer.begin('frame');
@@ -65,9 +62,9 @@ export class FrameClock {
 
   private leads(camera: Camera): boolean {
     const lead = this.lead?.deref();
-    if (lead !== camera && lead !== undefined && ++this.others < OTHERS) return false;
+    if (lead !== camera && lead !== undefined && ++this.otherCameraDraws < OTHERS) return false;
     if (lead !== camera) this.lead = new WeakRef(camera);
-    this.others = 0;
+    this.otherCameraDraws = 0;
     return true;
   }
 
@@ -96,7 +93,7 @@ export class FrameClock {
   };
 
   /** Adds up the times of a frame; they come in order. */
-  private readonly take = (frame: number, ms: number): void => {
+  private readonly addTime = (frame: number, ms: number): void => {
     this.silent = 0;
     if (frame !== this.summed) {
       if (this.summed >= 0) this.controller?.add(this.scales[this.summed], this.sum, 'gpu');

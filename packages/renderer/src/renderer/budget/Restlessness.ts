@@ -1,15 +1,15 @@
 /** Frames after an enlargement within which a reduction says that it was wrong: at first, and after a failure. */
 const [FAILED, FAILED_AGAIN] = [96, 240];
-/** Steps of enlargements, and of reductions, up to which they are corrections or a trial. */
+/** Maximum steps of an enlargement or a reduction that counts as a correction or a trial. */
 const CORRECTION = 3;
-/** Frames after an enlargement that has held, after which failures are forgotten. */
+/** Number of frames that an enlargement must hold until failures are forgotten. */
 const HELD = 480;
 /** Frames that a larger scale must suit after a failure, and the share of them that it must suit. */
 const FRAMES = 480;
 const SHARE = 0.95;
 /** Steps above which a larger scale is worth a change then. */
 const WORTH = 3;
-/** Steps of scales, at most. */
+/** Maximum number of steps of scale. */
 const STEPS = 64;
 
 /**

@@ -26,7 +26,7 @@ import { Enlargement } from './Enlargement';
 import { FrameClock } from './FrameClock';
 import { WHOLE } from './reasons';
 
-/** Pixels of a picture below which, along a side, nothing is scaled. */
+/** Minimum side of a picture that is scaled (pixels). */
 const SMALL = 32;
 
 /**

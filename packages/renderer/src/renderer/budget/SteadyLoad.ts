@@ -1,4 +1,4 @@
-/** Times or loads that a median is taken of. */
+/** Number of times or loads in a median. */
 export const RECENT = 5;
 const sorted = new Float64Array(RECENT);
 /** Number of loads in the mean, at least and at most; and the relative error of the mean at which their number is enough. */

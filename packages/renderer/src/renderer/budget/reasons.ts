@@ -4,7 +4,7 @@ export const REASONS = {
   held: 'frames take the time of the budget at this scale',
   slow: 'frames took longer than the budget',
   fast: 'frames took less than the budget',
-  least: 'frames take longer than the budget at the least scale',
+  smallest: 'frames take longer than the budget at the least scale',
   largest: 'frames take less than the budget at the largest scale',
   trial: 'a larger scale is tried',
 };

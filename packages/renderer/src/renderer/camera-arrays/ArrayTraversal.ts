@@ -23,7 +23,7 @@ export class ArrayTraversal {
     this.exchange((this.array = seenBy as Seeing));
   }
 
-  /** Depth by which three sorts an object (clip space of the array), or the one of its camera where no array is traversed. */
+  /** Depth by which three sorts an object: in the clip space of the traversed array camera; `z` without one. */
   depthOf(object: Object3D & { boundingSphere?: Sphere }, { boundingSphere }: BufferGeometry, z: number): number {
     if (this.array === null) return z;
     center.copy((object.boundingSphere ?? boundingSphere ?? ORIGIN).center as unknown as Vector4); // copying a Vector3 sets w to 1

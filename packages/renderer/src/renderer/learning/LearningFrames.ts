@@ -8,11 +8,11 @@ import { WarmUp } from '../warm-up';
 import { learnerOf } from './learners';
 import type { TechniqueLearner } from './TechniqueLearner';
 
-/** Pixels along a side below which a picture is too small to tell techniques apart. */
+/** Minimum side of a picture (pixels): smaller ones are too fast to compare techniques. */
 const SMALL = 64;
-/** Draws in a row in which another technique is faster, as learnt, before it is changed to. */
+/** Number of consecutive frames in which another technique must be faster, as learnt, before a change. */
 const PATIENCE = 30;
-/** Draws after which times that have not come are given up. */
+/** Number of frames after which a time query without a result is given up. */
 const LOST = 120;
 /** Tag of times that belong to no trial; those of a trial have its number × 4 + stage. */
 const NONE = -1;
@@ -139,7 +139,7 @@ export class LearningFrames {
   dispose(): void {
     this.abandon();
     this.ownTimer?.dispose();
-    if (this.timer?.onTime === this.take) this.timer.onTime = null;
+    if (this.timer?.onTime === this.addTime) this.timer.onTime = null;
     this.ownTimer = this.timer = null;
   }
 
@@ -198,7 +198,7 @@ export class LearningFrames {
     const timer = this.timer!;
     this.measures = true;
     timer.tag = this.trial * 4 + this.stage;
-    timer.onTime = this.take;
+    timer.onTime = this.addTime;
     if (timer === this.ownTimer) timer.begin('learning');
   }
 
@@ -225,7 +225,7 @@ export class LearningFrames {
     this.waited = 0;
   }
 
-  private readonly take = (tag: number, ms: number): void => {
+  private readonly addTime = (tag: number, ms: number): void => {
     if (this.stage === IDLE || Math.floor(tag / 4) !== this.trial) return;
     const stage = tag % 4;
     if (stage < LAST) this.gpu[stage] += ms;

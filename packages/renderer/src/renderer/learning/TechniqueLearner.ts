@@ -1,15 +1,15 @@
 import type { ChosenTechnique, SceneFigures } from '../warm-up/TechniqueChooser';
 import { type LearntChoices, TIE, type Verdict } from './LearntChoices';
 
-/** Draws from one trial to the next: 1 of 64 is 1.6%. */
+/** Number of frames from one trial to the next: 1 of 64 costs 1.6%. */
 const INTERVAL = 64;
-/** Draws from one trial to the next where there is a verdict, to find out whether it still holds. */
+/** Number of frames from one trial to the next once there is a verdict, to check it. */
 const SETTLED_INTERVAL = 512;
-/** Trials to a verdict; odd, for a median. */
+/** Number of trials for a verdict; odd, for a median. */
 const TRIALS = 15;
 /** Share of the time by which a technique must be faster to win, or to take the place of the one that has won. */
 const MARGIN = 0.08;
-/** Factors of the chooser's bounds within which it hesitates, nearest first. */
+/** Factors of the chooser's bounds; where they change its choice, the choice is close. Nearest first. */
 const SCALES = [1, 2, 0.5, 4, 0.25];
 
 /** Order of techniques in keys; part of the stored version. */
@@ -23,7 +23,7 @@ const order: readonly ChosenTechnique[] = [
 /** Factor of the first technique of a pair in keys. */
 const PAIR = 8;
 
-/** A verdict of 'auto' on a GPU: which of two techniques is faster there, from so many lights and pixels up to twice as many. */
+/** A verdict of 'auto' on a GPU: the faster of two techniques, for numbers of lights and pixels up to twice those listed. */
 export interface LearntChoice {
   /** Device by WEBGL_debug_renderer_info. */
   readonly gpu: string;
@@ -89,7 +89,7 @@ export class TechniqueLearner {
     return null;
   }
 
-  /** Key of a pair of techniques, whichever comes first, for figures of about this size. */
+  /** Key of an unordered pair of techniques and of figures rounded to powers of two. */
   keyOf(one: ChosenTechnique, other: ChosenTechnique, figures: SceneFigures): number {
     const i = order.indexOf(one);
     const j = order.indexOf(other);

@@ -3,13 +3,13 @@ import type { RenderItem } from '../../frame/RenderItem';
 import { byState } from '../../frame/RenderQueue';
 import type { RenderListItem } from '../../three/RenderListItem';
 
-/** Cells of the picture along a side. */
+/** Number of cells along a side of the picture. */
 const SIDE = 8;
-/** Frames from one estimate to the next. */
+/** Number of frames from one estimate to the next. */
 const INTERVAL = 32;
 /** Number of opaque items beyond which nothing is estimated: the CPU takes longer than the GPU then. */
 const MOST_ITEMS = 1000;
-/** Vertices of a geometry, evenly chosen, that its box is made of. */
+/** Maximum number of a geometry's vertices, evenly spread, of which its box is made. */
 const SAMPLES = 64;
 /** Share of a cell that an item must cover to hide what is behind it. */
 const HIDES = 0.5;

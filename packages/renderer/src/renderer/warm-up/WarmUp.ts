@@ -33,7 +33,7 @@ export class WarmUp implements Preparation {
   ready = false;
   private readonly dry: Frame;
   /** Geometries tried for each material; objects instead where the shader depends on the object too. */
-  private readonly seen = new Map<Material, Set<object>>();
+  private readonly triedGeometries = new Map<Material, Set<object>>();
   private programs: ProgramList | null = null;
   private waiting!: WaitingPrograms;
   /** Number of draws that this frame may still try. */
@@ -76,7 +76,7 @@ export class WarmUp implements Preparation {
       // the list of programs is new after a lost context
       this.programs = programs;
       this.waiting = waitingPrograms(programs);
-      this.seen.clear();
+      this.triedGeometries.clear();
       this.cut = true;
     }
     this.waiting.finishOne();
@@ -122,8 +122,8 @@ export class WarmUp implements Preparation {
     material: Material,
     byObject = false,
   ): void {
-    let seen = this.seen.get(material);
-    if (seen === undefined) this.seen.set(material, (seen = new Set()));
+    let seen = this.triedGeometries.get(material);
+    if (seen === undefined) this.triedGeometries.set(material, (seen = new Set()));
     const key = byObject ? object : geometry;
     if (seen.has(key)) return;
     if (this.left === 0) {

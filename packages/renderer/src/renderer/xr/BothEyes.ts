@@ -39,14 +39,14 @@ interface MultisampledMultiview {
 
 /** Techniques whose passes draw objects alone. */
 const TECHNIQUES = new Set(['clustered-forward', 'forward-single-pass']);
-/** Samples that three has where the WebGLRenderer has `antialias`. */
+/** Number of samples that three uses with `antialias`. */
 const SAMPLES = 4;
 /** Bytes of a pixel of an eye: colour, depth. */
 const BYTES = 8;
 
 type Attach = (attachment: number, texture: WebGLTexture) => void;
 
-/** How both layers of an array are attached to a framebuffer with as many samples as the session has. */
+/** Function that attaches both layers of an array to a framebuffer with the session's number of samples. */
 function attachmentsOf(gl: WebGL2RenderingContext): Attach | 'none' {
   const multiview = gl.getExtension('OVR_multiview2');
   if (multiview === null) return 'none';
@@ -99,10 +99,7 @@ export class BothEyes {
     return this.color === null ? 0 : 2 * BYTES * this.size.x * this.size.y;
   }
 
-  /**
-   * Binds the arrays, if device, session and scene allow for it.
-   * @returns whether they do
-   */
+  /** Binds the arrays, if device, session and scene allow for it. @returns whether they do */
   begin(scene: Object3D, eyes: ArrayCamera): boolean {
     const { webgl, camera } = this;
     const gl = webgl.getContext() as WebGL2RenderingContext;

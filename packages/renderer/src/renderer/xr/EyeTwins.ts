@@ -25,7 +25,7 @@ export class EyeTwins implements TwinAdapter {
   private gl!: WebGL2RenderingContext;
   private shaderSource!: WebGL2RenderingContext['shaderSource'];
   /** The host's own method, if it has replaced WebGL's. */
-  private own: PropertyDescriptor | undefined;
+  private hostMethod: PropertyDescriptor | undefined;
   private readonly uniforms = {
     farol_eyeProjections: { value: [new Matrix4(), new Matrix4()] },
     farol_eyesWS: { value: [new Vector3(), new Vector3()] },
@@ -61,16 +61,16 @@ export class EyeTwins implements TwinAdapter {
 
   /** Adds the extension to programs that name an eye and are compiled from here on. */
   begin(gl: WebGL2RenderingContext): void {
-    this.own = Object.getOwnPropertyDescriptor(gl, 'shaderSource');
+    this.hostMethod = Object.getOwnPropertyDescriptor(gl, 'shaderSource');
     this.shaderSource = gl.shaderSource;
     this.gl = gl;
     gl.shaderSource = this.extended;
   }
 
   end(): void {
-    const { gl, own } = this;
-    if (own === undefined) Reflect.deleteProperty(gl, 'shaderSource');
-    else Object.defineProperty(gl, 'shaderSource', own);
+    const { gl, hostMethod } = this;
+    if (hostMethod === undefined) Reflect.deleteProperty(gl, 'shaderSource');
+    else Object.defineProperty(gl, 'shaderSource', hostMethod);
   }
 
   private readonly extended = (shader: WebGLShader, source: string): void => {

@@ -8,7 +8,7 @@ import { drawCameras, type DrawByCamera } from '../drawCameras';
 import { afterRender, beforeRender } from '../sceneCallbacks';
 import { BothEyes } from './BothEyes';
 
-/** Frames until a scene that could not be drawn for both eyes at once is tried again. */
+/** Number of frames after which drawing both eyes at once is tried again. */
 const LATER = 300;
 
 /** Draws the frames of an XR session by the cameras of three's WebXRManager, one for each eye. */

@@ -107,20 +107,14 @@ export class AtlasMap {
     if (this.isStale) this.since = frame;
   }
 
-  /**
-   * Marks the map as one to be drawn in this frame.
-   * @throws Error when there is no region to draw to
-   */
+  /** Marks the map as one to be drawn in this frame. @throws Error when there is no region to draw to */
   plan(isPartial: boolean): void {
     if (this.current === 'none') throw new Error('A map without a region cannot be drawn: place it in an atlas first.');
     this.planned = isPartial ? 'partial' : 'whole';
     this.bounds = false;
   }
 
-  /**
-   * Notes that the map is drawn as planned.
-   * @throws Error when that was not planned
-   */
+  /** Notes that the map is drawn as planned. @throws Error when that was not planned */
   draw(): void {
     if (this.planned === null) throw new Error('A shadow map was drawn before it was planned: call plan() first.');
     this.current = this.planned;

@@ -34,17 +34,14 @@ export class AtlasPlacement {
     return this.edge;
   }
 
-  /** How often the atlas, being full, has halved the sides of this map. */
+  /** Number of times that the full atlas has halved the map's sides. */
   get halvings(): number {
     return this.halved;
   }
 
-  /**
-   * Gives the map its rectangle.
-   * @throws Error when there is a region already
-   */
-  take(region: Region, faceWidth: number, faceHeight: number, border: number): void {
-    if (this.rectangle !== null) throw new Error('A shadow map has a region already: drop it before you take another.');
+  /** Gives the map its rectangle. @throws Error when there is a region already */
+  place(region: Region, faceWidth: number, faceHeight: number, border: number): void {
+    if (this.rectangle !== null) throw new Error('A shadow map has a region already: release it before you place it.');
     this.rectangle = region;
     this.width = faceWidth;
     this.height = faceHeight;

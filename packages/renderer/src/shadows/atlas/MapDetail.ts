@@ -11,10 +11,10 @@ const MARGIN = 2;
  */
 export class MapDetail {
   private applied = 0;
-  private wanted = 0;
+  private sufficient = 0;
   /** Frames in a row in which a higher level would have done, and the least of those levels. */
   private patience = 0;
-  private least = 0;
+  private leastSufficient = 0;
 
   /** Number of halvings that the map has, or will have once it is placed. */
   get level(): number {
@@ -23,13 +23,13 @@ export class MapDetail {
 
   /** Number of times that the side of the map is to be halved. */
   get target(): number {
-    return this.wanted;
+    return this.sufficient;
   }
 
   /** Sets the number of halvings of a map without a region, at once. */
   start(level: number): void {
     this.patience = 0;
-    this.applied = this.wanted = level;
+    this.applied = this.sufficient = level;
   }
 
   /**
@@ -42,17 +42,17 @@ export class MapDetail {
     const less = updates ? (eighths - MARGIN) >> 3 : 0;
     if (less <= applied) {
       this.patience = 0;
-      this.wanted = Math.min(eighths >> 3, applied);
+      this.sufficient = Math.min(eighths >> 3, applied);
       return;
     }
-    this.least = this.patience === 0 ? less : Math.min(this.least, less);
+    this.leastSufficient = this.patience === 0 ? less : Math.min(this.leastSufficient, less);
     this.patience++;
-    this.wanted = this.patience > PATIENCE ? this.least : applied;
+    this.sufficient = this.patience > PATIENCE ? this.leastSufficient : applied;
   }
 
   /** Sets the map's present number of halvings to the target. */
   reach(): void {
-    this.applied = this.wanted;
+    this.applied = this.sufficient;
     this.patience = 0;
   }
 
@@ -61,6 +61,6 @@ export class MapDetail {
    * restart the wait for a smaller map.
    */
   settle(): void {
-    this.applied = this.wanted;
+    this.applied = this.sufficient;
   }
 }

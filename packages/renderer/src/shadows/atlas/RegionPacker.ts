@@ -8,9 +8,7 @@ import type { Region } from './AtlasPlacement';
 export class RegionPacker {
   private free: Region[] = [];
 
-  /**
-   * @param size - side of the square (texels)
-   */
+  /** @param size - side of the square (texels) */
   constructor(public size: number) {
     this.clear(size);
   }

@@ -60,7 +60,7 @@ export class TextureAtlas {
 
   /**
    * @param limit - texels a side at most
-   * @param make - makes a target of so many texels a side
+   * @param make - makes a target of a number of texels a side
    */
   constructor(
     private limit: number,
@@ -130,7 +130,7 @@ export class TextureAtlas {
     this.reduced = false;
   }
 
-  /** Releases a tenant's region. */
+  /** Frees the region of a shadow map or cookie. */
   release(tenant: AtlasTenant): void {
     const { region } = tenant.placement;
     if (region === null) return;
@@ -152,7 +152,7 @@ export class TextureAtlas {
   private tryPlace(tenant: AtlasTenant, width: number, height: number): boolean {
     const region = this.packer.place(blockWidth(tenant, width), blockHeight(tenant, height));
     if (region === null) return false;
-    tenant.placement.take(region, width, height, tenant.isCube ? tenant.borderOf(width) : 0);
+    tenant.placement.place(region, width, height, tenant.isCube ? tenant.borderOf(width) : 0);
     tenant.map.place();
     tenant.placed?.();
     return true;
@@ -226,10 +226,7 @@ export class TextureAtlas {
     return true;
   }
 
-  /**
-   * Halves the map with most texels for the share of the picture that its light covers.
-   * @returns the texels freed
-   */
+  /** Halves the map with most texels for the share of the picture that its light covers. @returns the texels freed */
   private halve(tenants: readonly AtlasTenant[]): number {
     let worst: AtlasTenant | null = null;
     let most = 0;

@@ -17,7 +17,7 @@ type AnyMesh = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPo
 /** Box of each geometry in its own space (m), with the `attributeState` of its positions when the box was computed. */
 const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; state: number }>();
 
-const own = new Float64Array(6);
+const objectBox = new Float64Array(6);
 
 /** Box of a geometry; null without positions, or when the CPU cannot read them and the page has set no box. */
 function boxOf(geometry: BufferGeometry): Box3 | null {
@@ -59,13 +59,13 @@ export function casterBox(object: Object3D, out: Float64Array): boolean {
   const box = boxOf(mesh.geometry);
   if (box === null || box.isEmpty()) return false;
   const { min, max } = box;
-  own[0] = 0.5 * (min.x + max.x);
-  own[1] = 0.5 * (min.y + max.y);
-  own[2] = 0.5 * (min.z + max.z);
-  own[3] = 0.5 * (max.x - min.x) + reach;
-  own[4] = 0.5 * (max.y - min.y) + reach;
-  own[5] = 0.5 * (max.z - min.z) + reach;
-  moveBox(own, 0, object.matrixWorld, out, 0);
+  objectBox[0] = 0.5 * (min.x + max.x);
+  objectBox[1] = 0.5 * (min.y + max.y);
+  objectBox[2] = 0.5 * (min.z + max.z);
+  objectBox[3] = 0.5 * (max.x - min.x) + reach;
+  objectBox[4] = 0.5 * (max.y - min.y) + reach;
+  objectBox[5] = 0.5 * (max.z - min.z) + reach;
+  moveBox(objectBox, 0, object.matrixWorld, out, 0);
   return Number.isFinite(out[0] + out[1] + out[2] + out[3] + out[4] + out[5]);
 }
 

@@ -88,7 +88,7 @@ function mixMaterial(m: CasterMaterial, geometry: BufferGeometry): void {
     mixFraction(m.displacementBias ?? 0);
   }
   const surfaces = surfacesOf(m);
-  if (surfaces !== undefined && (surfaces.displaces || surfaces.discards)) mixFraction(surfaces.shape());
+  if (surfaces !== undefined && (surfaces.displaces || surfaces.discards)) mixFraction(surfaces.shapeVersion());
 }
 
 /**

@@ -142,10 +142,7 @@ export class HostShadowMaps {
     return 8 * texels;
   }
 
-  /**
-   * Whether a light's map is to be copied in this frame.
-   * @param isDrawn - whether the frame draws the map
-   */
+  /** Whether a light's map is to be copied in this frame. @param isDrawn - whether the frame draws the map */
   wants({ shadow, isCube }: ShadowSlot, isDrawn: boolean, type: number): boolean {
     if (isCube) return false;
     const state = shadow.map === null ? undefined : watched.get(shadow.map);

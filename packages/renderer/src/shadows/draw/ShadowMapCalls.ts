@@ -10,7 +10,7 @@ export class ShadowMapCalls {
   private scene: Object3D | null = null;
   /** three makes another one when a lost context is restored. */
   private shadowMap: WebGLShadowMap;
-  private own: WebGLShadowMap['render'];
+  private threeRender: WebGLShadowMap['render'];
   private autoUpdate = true;
   private fail!: (error: unknown) => void;
 
@@ -20,7 +20,7 @@ export class ShadowMapCalls {
     private readonly draw: () => void,
   ) {
     this.shadowMap = webgl.shadowMap;
-    this.own = webgl.shadowMap.render;
+    this.threeRender = webgl.shadowMap.render;
   }
 
   /**
@@ -32,13 +32,13 @@ export class ShadowMapCalls {
     this.scene = scene;
     this.fail = fail;
     this.shadowMap = shadowMap;
-    this.own = shadowMap.render;
+    this.threeRender = shadowMap.render;
     this.autoUpdate = shadowMap.autoUpdate;
     shadowMap.render = this.render;
   }
 
   end(): void {
-    this.shadowMap.render = this.own;
+    this.shadowMap.render = this.threeRender;
   }
 
   private readonly render = (lights: Light[], scene: Scene, camera: Camera) => {
@@ -48,7 +48,7 @@ export class ShadowMapCalls {
       const face = webgl.getActiveCubeFace();
       const level = webgl.getActiveMipmapLevel();
       try {
-        this.own.call(shadowMap, lights, scene, camera);
+        this.threeRender.call(shadowMap, lights, scene, camera);
         this.draw();
       } catch (error) {
         webgl.setRenderTarget(target, face, level);
@@ -59,7 +59,7 @@ export class ShadowMapCalls {
     const updates = shadowMap.autoUpdate;
     shadowMap.autoUpdate = this.autoUpdate;
     try {
-      this.own.call(shadowMap, lights, scene, camera);
+      this.threeRender.call(shadowMap, lights, scene, camera);
     } finally {
       shadowMap.autoUpdate = updates;
     }

@@ -34,7 +34,7 @@ type ShadowCallback = (
   group: GeometryGroup | null,
 ) => void;
 
-/** Frames without a change after which the whole of a shadow map is drawn, of which only parts were drawn before. */
+/** Number of frames without a change after which a partly drawn shadow map is drawn whole. */
 const REST = 60;
 
 const rectangle = new Vector4();

@@ -13,16 +13,14 @@ export class MaskShaders {
   /** Kinds of masks that the shaders have code for, as bits of `maskFeatures`. */
   private features = 0;
   private neededFeatures = 0;
-  private readonly before: MicroShader;
+  private readonly originalChunk: MicroShader;
 
-  /**
-   * @param images - number of samplers for the textures that lights project
-   */
+  /** @param images - number of samplers for the textures that lights project */
   constructor(
     private readonly microshaders: MicroShaderRegistry,
     private readonly images: number,
   ) {
-    this.before = microshaders.get('lightMask')!;
+    this.originalChunk = microshaders.get('lightMask')!;
   }
 
   /** Notes what a light of the frame needs. @param features - bits of `maskFeatures` */
@@ -50,7 +48,7 @@ export class MaskShaders {
 
   /** Removes all code for masks from shaders; there are no maps any more. */
   dispose(): void {
-    if (this.level > 0) this.microshaders.swap('lightMask', this.before);
+    if (this.level > 0) this.microshaders.swap('lightMask', this.originalChunk);
     this.level = 0;
   }
 }

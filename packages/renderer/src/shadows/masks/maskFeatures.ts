@@ -58,7 +58,7 @@ export function maskFeaturesOf(
   // the shaders of area lights call for masks themselves
   if (softSizeOf(light) > 0) return maskFeatures.cubes | maskFeatures.soft | (hasShadow ? 0 : maskFeatures.unshadowed);
   let features = maskLoopOf(light);
-  // shaders treat a light that has left its map as one that is not a plain point light
+  // a point light that moved since its map was drawn needs the code of other lights
   if (hasLeftMap) features |= maskFeatures.bounded;
   if (profile !== null) features |= maskFeatures.profiles;
   if (!hasShadow && cookie === null) return features | maskFeatures.unshadowed;

@@ -49,10 +49,7 @@ export class VisibleReceivers {
   /** Whether a visible object that receives shadows has no bounds. */
   private isUnbounded = false;
 
-  /**
-   * Finds the boxes for a frame.
-   * @param merged - the merged casters, up to date
-   */
+  /** Finds the boxes for a frame. @param merged - the merged casters, up to date */
   find({ list, count, receivers }: ShadowCasters, merged: MergedCasters | null, camera: Camera): void {
     this.used = this.groupsUsed = this.objectsUsed = 0;
     this.isUnbounded = false;
@@ -159,14 +156,14 @@ export class VisibleReceivers {
   private addBent({ x, y, z, radius }: typeof sphere): void {
     if (Number.isFinite(radius)) {
       setCube(x, y, z, radius);
-      if (boxOutsidePlanes(planes, own)) return;
+      if (boxOutsidePlanes(planes, objectBox)) return;
     }
     this.isUnbounded = true;
   }
 
   private addObject(object: Object3D): void {
-    if (casterBox(object, own)) {
-      this.addBox(own);
+    if (casterBox(object, objectBox)) {
+      this.addBox(objectBox);
       return;
     }
     findSphere(object, sphere);
@@ -179,7 +176,7 @@ export class VisibleReceivers {
       return;
     }
     setCube(x, y, z, SPHERES * radius);
-    this.addBox(own);
+    this.addBox(objectBox);
   }
 
   private addBox(box: Float64Array): void {
@@ -193,10 +190,7 @@ export class VisibleReceivers {
     this.used += 6;
   }
 
-  /**
-   * Makes a group of the boxes from `first` on.
-   * @param round - box round those boxes, from index `from` on
-   */
+  /** Makes a group of the boxes from `first` on. @param round - box round those boxes, from index `from` on */
   private addGroup(first: number, round: Float64Array, from: number): void {
     if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
     copyBox(round, from, this.groups, this.groupsUsed);
@@ -215,13 +209,13 @@ export class VisibleReceivers {
   }
 }
 
-const own = new Float64Array(6);
+const objectBox = new Float64Array(6);
 
 function setCube(x: number, y: number, z: number, radius: number): void {
-  own[0] = x;
-  own[1] = y;
-  own[2] = z;
-  own[3] = own[4] = own[5] = radius;
+  objectBox[0] = x;
+  objectBox[1] = y;
+  objectBox[2] = z;
+  objectBox[3] = objectBox[4] = objectBox[5] = radius;
 }
 
 /** Whether the page's own vertex shader may move an object's vertices. */

@@ -61,8 +61,8 @@ export function cubeFaceParts(
     const bottom = ends[up ^ 1];
     // distances of the box along the axis of the face
     const farthest = ends[face];
-    const aside = -least(least(left, right), least(bottom, top)) / widening;
-    const nearest = -least(least(ends[face ^ 1], -aside), -1e-6 * farthest);
+    const aside = -minimum(minimum(left, right), minimum(bottom, top)) / widening;
+    const nearest = -minimum(minimum(ends[face ^ 1], -aside), -1e-6 * farthest);
     if (nearest > farthest) continue;
     const first = face * 4;
     // an end that does not reach the face's middle counts at the greatest distance, others at the least; both tests save a branch
@@ -97,6 +97,6 @@ export function openFaces(parts: Float64Array): number {
 }
 
 /** Lesser of two finite numbers; without a branch, see `cubeFacesOf`. */
-function least(a: number, b: number): number {
+function minimum(a: number, b: number): number {
   return 0.5 * (a + b - Math.abs(a - b));
 }

@@ -19,7 +19,7 @@ import type { TextureAtlas } from '../atlas/TextureAtlas';
  * number.
  */
 const BLOCK = 8;
-/** Frames without a change after which the depths of a shadow map are bounded. */
+/** Number of frames without a change after which minimum and maximum depths of a shadow map are computed. */
 const REST = 2;
 /** Shadow-map texels whose depths are bounded in a frame; the map that exceeds them is the frame's last. */
 const BUDGET = 12_000_000;
@@ -38,7 +38,7 @@ export class ShadowBounds {
     blending: NoBlending,
   });
   private isCompiled = false;
-  private readonly wanted: ShadowSlot[] = [];
+  private readonly unboundedSlots: ShadowSlot[] = [];
   private left = BUDGET;
 
   constructor(
@@ -52,11 +52,11 @@ export class ShadowBounds {
 
   /** True when the frame has maps whose depths are to be bounded. */
   get hasWork(): boolean {
-    return this.wanted.length > 0;
+    return this.unboundedSlots.length > 0;
   }
 
   begin(): void {
-    this.wanted.length = 0;
+    this.unboundedSlots.length = 0;
     this.left = BUDGET;
   }
 
@@ -65,7 +65,7 @@ export class ShadowBounds {
     if (slot.map.hasBounds || rested < REST || slot.cascades > 0 || this.left <= 0) return;
     const { region } = slot.placement;
     this.left -= region!.width * region!.height;
-    this.wanted.push(slot);
+    this.unboundedSlots.push(slot);
   }
 
   /** Finds the bounds of the maps that `keep` added. Call once the maps of the frame are drawn. */
@@ -79,7 +79,7 @@ export class ShadowBounds {
     this.depths.value = texture;
     comparesDepths(webgl, texture, false);
     this.drawer.bind(target);
-    for (const slot of this.wanted) {
+    for (const slot of this.unboundedSlots) {
       this.draw(slot);
       slot.map.bound();
     }

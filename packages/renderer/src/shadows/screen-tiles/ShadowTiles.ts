@@ -28,7 +28,7 @@ export class ShadowTiles {
   private readonly planes = wordTarget();
   private readonly marks = wordTarget();
   private readonly uniforms = gbufferUniforms();
-  private readonly own = {
+  private readonly tileUniforms = {
     farol_tilePlanes: { value: this.planes.texture },
     farol_shadowBounds: { value: null } as IUniform<Texture | null>,
   };
@@ -101,7 +101,7 @@ export class ShadowTiles {
         'farol_grid',
         'farol_tileShadowWords',
       ],
-      uniforms: { ...this.uniforms, ...this.own },
+      uniforms: { ...this.uniforms, ...this.tileUniforms },
       defines: { FAROL_TILE: `${TILE}` },
       blending: NoBlending,
     });
@@ -110,7 +110,7 @@ export class ShadowTiles {
   /** Compiles both programs with the first shadow map: once a map is at rest, compiling would make that frame hitch. */
   private compile(frame: Frame, bounds: WebGLRenderTarget): void {
     this.isCompiled = true;
-    this.own.farol_shadowBounds.value = bounds.texture;
+    this.tileUniforms.farol_shadowBounds.value = bounds.texture;
     frame.bind(bounds);
     frame.bind(this.planes);
     this.planePass.compile(frame);

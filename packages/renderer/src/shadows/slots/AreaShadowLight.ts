@@ -10,7 +10,7 @@ const NORMAL_BIAS = 0.03;
 /** Near plane of the map (m). */
 const NEAR = 0.05;
 
-const stands = new WeakMap<RectAreaLight, AreaShadowLight>();
+const lightsOfAreas = new WeakMap<RectAreaLight, AreaShadowLight>();
 
 /** The point light at the centre of an area light, from which its shadow map is drawn: three's RectAreaLight has no shadow. */
 export class AreaShadowLight extends PointLight {
@@ -30,8 +30,8 @@ export class AreaShadowLight extends PointLight {
    * @param range - beyond which the light gives nothing (m), 0 for none
    */
   static follow(light: RectAreaLight, range: number): AreaShadowLight {
-    let stand = stands.get(light);
-    if (stand === undefined) stands.set(light, (stand = new AreaShadowLight(light)));
+    let stand = lightsOfAreas.get(light);
+    if (stand === undefined) lightsOfAreas.set(light, (stand = new AreaShadowLight(light)));
     stand.matrixWorld.copy(light.matrixWorld);
     stand.distance = range;
     stand.layers.mask = light.layers.mask;
@@ -45,7 +45,7 @@ export class AreaShadowLight extends PointLight {
 
   /** Shadow light of an area light; undefined before `follow`. */
   static of(light: RectAreaLight): AreaShadowLight | undefined {
-    return stands.get(light);
+    return lightsOfAreas.get(light);
   }
 }
 

@@ -101,13 +101,13 @@ export class ShadowSlot implements AtlasTenant {
   drawnFaces = 63;
 
   /** Proxy of the light's shadow object: inherits its settings, takes three's changes. */
-  private readonly own: PrivateLightShadow;
+  private readonly shadowProxy: PrivateLightShadow;
   /** Proxy of the light without a range: three would take an infinite one for the camera's far plane. */
   private readonly endless: ShadowLight;
   /** The light's own shadow camera, placed as three would. */
   private placedCamera: Camera | null = null;
   /** Values of `matrix`, `near` and `far` at the last `follow`, to see whether they changed. */
-  private readonly before = new Float64Array(18);
+  private readonly previousCamera = new Float64Array(18);
   /** Radius (texels) and samples of the blur at the last `follow`. */
   private readonly blur = new Float64Array(2);
 
@@ -119,7 +119,7 @@ export class ShadowSlot implements AtlasTenant {
     this.isCube = light.isPointLight === true;
     const shadow = light.shadow as unknown as PrivateLightShadow;
     this.shadow = shadow;
-    this.own = standInOf(shadow, Object.prototype);
+    this.shadowProxy = standInOf(shadow, Object.prototype);
     this.endless = Object.defineProperty(standInOf(light, Object3D.prototype), 'distance', { value: 0 });
     const camera = shadow.camera.clone();
     // the host may not have called this: three calls it with the first map
@@ -170,17 +170,17 @@ export class ShadowSlot implements AtlasTenant {
     if (this.isCube) this.followPoint(reversedDepth);
     else this.followMap(reversedDepth);
     const refitted = this.cascades > 0 && this.fit(camera);
-    const { before, matrix } = this;
-    let same = !refitted && before[16] === this.near && before[17] === this.far;
+    const { previousCamera, matrix } = this;
+    let same = !refitted && previousCamera[16] === this.near && previousCamera[17] === this.far;
     for (let i = 0; i < 16; i++) {
-      if (before[i] === matrix.elements[i]) continue;
-      before[i] = matrix.elements[i];
+      if (previousCamera[i] === matrix.elements[i]) continue;
+      previousCamera[i] = matrix.elements[i];
       same = false;
     }
-    before[16] = this.near;
-    before[17] = this.far;
+    previousCamera[16] = this.near;
+    previousCamera[17] = this.far;
     if (same && this.placedCamera === this.shadow.camera) return;
-    placeShadowCamera(this.light, this.own, this.far, reversedDepth);
+    placeShadowCamera(this.light, this.shadowProxy, this.far, reversedDepth);
     this.placedCamera = this.shadow.camera;
     if (same) return;
     this.map.change();
@@ -232,7 +232,7 @@ export class ShadowSlot implements AtlasTenant {
     const { detail, isCube, wantedWidth, shadow } = this;
     const { level } = detail;
     if (level === 0) return shadow.normalBias;
-    const scale = isCube ? 1 : this.own.camera.projectionMatrix.elements[0];
+    const scale = isCube ? 1 : this.shadowProxy.camera.projectionMatrix.elements[0];
     return shadow.normalBias + (MATTERING_RANGE * this.range * (2 ** level - 1)) / (scale * wantedWidth);
   }
 
@@ -246,8 +246,8 @@ export class ShadowSlot implements AtlasTenant {
 
   /** Whether depths of 16 bits are too coarse for the map. */
   get needsFineDepth(): boolean {
-    const { near, far, isCube, own, wantedWidth } = this;
-    const camera = own.camera as unknown as ShadowCamera;
+    const { near, far, isCube, shadowProxy, wantedWidth } = this;
+    const camera = shadowProxy.camera as unknown as ShadowCamera;
     const scale = isCube ? 1 : camera.projectionMatrix.elements[0];
     const isPerspective = isCube || camera.isPerspectiveCamera === true;
     return needsFineDepth(near, far, scale, wantedWidth, this.shadow.bias, isPerspective);
@@ -293,8 +293,8 @@ export class ShadowSlot implements AtlasTenant {
   }
 
   private followMap(reversedDepth: boolean): void {
-    const { light, own } = this;
-    const camera = own.camera as unknown as ShadowCamera;
+    const { light, shadowProxy } = this;
+    const camera = shadowProxy.camera as unknown as ShadowCamera;
     const host = light.shadow.camera as unknown as ShadowCamera;
     let changed = camera.reversedDepth !== reversedDepth;
     setReversedDepth(camera, reversedDepth);
@@ -309,7 +309,7 @@ export class ShadowSlot implements AtlasTenant {
       changed = true;
     }
     if (changed) camera.updateProjectionMatrix();
-    own.updateMatrices(far === host.far ? this.endless : light);
+    shadowProxy.updateMatrices(far === host.far ? this.endless : light);
     this.near = camera.near;
     this.far = camera.far;
     this.faces[this.cascades].update();
@@ -318,7 +318,7 @@ export class ShadowSlot implements AtlasTenant {
   /** Fits the cascades to the space that the camera sees. @returns whether that changed them */
   private fit(camera: Camera): boolean {
     const { cascades, fits, faces } = this;
-    const whole = this.own.camera as unknown as OrthographicCamera;
+    const whole = this.shadowProxy.camera as unknown as OrthographicCamera;
     const { x, y } = this.light.shadow.mapSize;
     let changed = false;
     for (let i = 0; i < cascades; i++) {
@@ -348,6 +348,6 @@ export class ShadowSlot implements AtlasTenant {
   }
 
   private define(name: string, value: unknown): void {
-    Object.defineProperty(this.own, name, { value, writable: true, configurable: true, enumerable: true });
+    Object.defineProperty(this.shadowProxy, name, { value, writable: true, configurable: true, enumerable: true });
   }
 }

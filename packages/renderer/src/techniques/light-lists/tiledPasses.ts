@@ -18,7 +18,7 @@ export function tiledForwardPasses(): Pass[] {
   return [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'])];
 }
 
-/** The passes of 'forward-plus'. */
+/** 'forward-plus': a depth pre-pass, light lists by tile, then the materials. */
 export function forwardPlusPasses(): Pass[] {
   return [
     new DepthPrepass(),
@@ -28,7 +28,7 @@ export function forwardPlusPasses(): Pass[] {
   ];
 }
 
-/** The passes of 'tiled-deferred'. */
+/** 'tiled-deferred': a G-buffer, light lists by tile, a pass that lights the pixels, then forward materials. */
 export function tiledDeferredPasses(): Pass[] {
   return [new GBufferPass(), new LightTilesPass('slices'), new TiledOutputPass(), ...forwardTail('lightLoopAll')];
 }

@@ -37,11 +37,10 @@ const { onBeforeRender } = Object3D.prototype;
 const FIRST_SHARE = 0.25;
 
 /**
- * Multipass lighting: ambient, environment and emissive once, together with one light that lights much of the picture; then
- * each other light added by a draw of its own over the objects that its range reaches, inside the rectangle that its volume
- * covers on screen.
- * Sums in 32-bit floats where the device blends them (EXT_float_blend) and the host's target has one sample; else in half
- * floats.
+ * Multipass lighting: ambient, environment and emissive once, together with one light that lights much of the picture;
+ * then each other light added by a draw of its own over the objects that its range reaches, inside the rectangle that
+ * its volume covers on screen. Sums in 32-bit floats where the device blends them (EXT_float_blend) and the host's
+ * target has one sample; else in half floats.
  * @see thesis 2.2.1.3 and 3.2.3.1
  */
 export class MultipassLightsPass implements Pass {

@@ -40,7 +40,7 @@ export class NodeDraws {
   private readonly views = new WeakMap<Object3D, NodeView>();
   private current!: NodeView;
   private getList!: RenderLists['get'];
-  /** The one item to draw; null to draw all plain opaque ones. */
+  /** Item to draw; null for all opaque items of route 'plain'. */
   private item: NodeItem | null = null;
   /** Whether three has drawn its shadow maps in this frame. */
   private hasMaps = false;

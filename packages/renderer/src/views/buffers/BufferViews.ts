@@ -18,7 +18,7 @@ const NO_TILES: ShownView['tiles'] = [];
 export class BufferViews {
   private readonly made = new Map<View, BufferView>();
   private readonly info: ShownView = { view: 'final', problem: null, fullMotion: 0, tiles: NO_TILES };
-  private readonly told = new Set<string>();
+  private readonly reported = new Set<string>();
 
   constructor(private readonly surfaces: SurfaceViewPass) {}
 
@@ -26,7 +26,7 @@ export class BufferViews {
   show(frame: Frame, name: View): ViewInfo {
     let view = this.made.get(name);
     if (view === undefined) this.made.set(name, (view = this.make(name)));
-    const { info, told } = this;
+    const { info, reported } = this;
     info.view = name;
     info.fullMotion = 0;
     info.tiles = NO_TILES;
@@ -34,8 +34,8 @@ export class BufferViews {
     // of more texels than the view, a frame budget would enlarge it
     if (info.problem === null) frame.finer = null;
     // another technique or none of the effects may draw until their code is there
-    else if (!told.has(info.problem) && Lazy.lacking!.size === 0) {
-      told.add(info.problem);
+    else if (!reported.has(info.problem) && Lazy.lacking!.size === 0) {
+      reported.add(info.problem);
       console.warn(`Farol: the view '${name}' shows the final picture. ${info.problem}`);
     }
     return info;

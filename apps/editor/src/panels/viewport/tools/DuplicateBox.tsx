@@ -9,7 +9,8 @@ import {
 import { useEditor, useSignal } from '../../../ui/EditorContext';
 import { Icon } from '../../../ui/Icon';
 import type { DuplicateTool } from '../../../viewport/placing/DuplicateTool';
-import { ChoiceRow, NumberRow, SwitchRow, TripleRow } from './ToolField';
+import { ChoiceRow, SwitchRow } from '../../../ui/SettingRow';
+import { NumberRow, TripleRow } from './ToolField';
 import { Button } from '../../../ui/Button';
 
 interface PartProps {

@@ -1,7 +1,5 @@
 import type { ReactNode } from 'react';
 import { NumberInput } from '../../../ui/NumberInput';
-import { SelectBox, type SelectOption } from '../../../ui/SelectBox';
-import { Toggle } from '../../../ui/Toggle';
 
 interface NumberRowProps {
   readonly label: string;
@@ -60,37 +58,6 @@ export function TripleRow({ label, value, onChange, ...rest }: TripleRowProps): 
           onDiscard={() => {}}
         />
       ))}
-    </div>
-  );
-}
-
-interface SwitchRowProps {
-  readonly label: string;
-  readonly value: boolean;
-  onChange(value: boolean): void;
-}
-
-export function SwitchRow({ label, value, onChange }: SwitchRowProps): ReactNode {
-  return (
-    <div className="tool-row">
-      <span aria-hidden="true">{label}</span>
-      <Toggle value={value} label={label} onChange={onChange} />
-    </div>
-  );
-}
-
-interface ChoiceRowProps<T extends string> {
-  readonly label: string;
-  readonly value: T;
-  readonly options: readonly SelectOption<T>[];
-  onChange(value: T): void;
-}
-
-export function ChoiceRow<T extends string>(props: ChoiceRowProps<T>): ReactNode {
-  return (
-    <div className="tool-row">
-      <span aria-hidden="true">{props.label}</span>
-      <SelectBox {...props} />
     </div>
   );
 }

@@ -36,7 +36,7 @@ import { MergedMesh } from './MergedMesh';
 import { directDraw, type DirectDraw } from '../../../three/directDraw';
 import { isCompiled, programHandle } from '../../../three/handles';
 
-/** Walks over the scene for which a caster must be unchanged before it is merged. */
+/** Number of scene traversals in which a caster must be unchanged before it is merged. */
 const SETTLED = 30;
 /** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
 const MOST_TRIANGLES = 2_000_000;
@@ -90,7 +90,7 @@ export class MergedCasters {
   /** Page × 3 + side that three has bound for draws; -1 for none. */
   private bound = -1;
   /** Number of triangles in the buffers whose casters have been removed from the scene. */
-  private gone = 0;
+  private removedTriangles = 0;
   private triangles = 0;
   /** Number of casters removed from the scene that still take up a matrix; `startAnew` frees these. */
   private lost = 0;
@@ -132,7 +132,7 @@ export class MergedCasters {
   begin(camera: Camera, { list, count, walks, walked }: ShadowCasters, loose: Caster[]): void {
     this.moveOrigin(camera);
     if (walks - this.swept >= SWEEP) this.sweep(walks, walked);
-    const manyGone = this.gone > FEW_GONE && this.gone * 2 > this.triangles;
+    const manyGone = this.removedTriangles > FEW_GONE && this.removedTriangles * 2 > this.triangles;
     if (manyGone || (this.lost > FEW_LOST && this.lost > this.members.length)) this.startAnew();
     for (let i = 0; i < count; i++) this.find(list[i]);
     for (let left = BUDGET; left > 0 && this.queue.length > 0;) {
@@ -191,7 +191,7 @@ export class MergedCasters {
 
   private letGo(caster: Caster): void {
     if (caster.merged === null) return;
-    this.gone += caster.merged.geometry.triangles;
+    this.removedTriangles += caster.merged.geometry.triangles;
     caster.merged = null;
     caster.queuedVersion = -1;
   }
@@ -389,7 +389,7 @@ export class MergedCasters {
       page.mesh.clear();
       page.objects = 0;
     }
-    this.gone = this.triangles = this.lost = 0;
+    this.removedTriangles = this.triangles = this.lost = 0;
   }
 }
 

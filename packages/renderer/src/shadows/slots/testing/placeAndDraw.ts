@@ -8,7 +8,7 @@ export function placeAndDraw(
   regionWidth = faceWidth,
 ): void {
   slot.placement.drop();
-  slot.placement.take(
+  slot.placement.place(
     { x: 0, y: 0, width: regionWidth, height: regionWidth },
     faceWidth,
     faceHeight,

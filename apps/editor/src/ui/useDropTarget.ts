@@ -1,0 +1,26 @@
+import { type DragEvent, type HTMLAttributes, useState } from 'react';
+
+/**
+ * Properties of an element that something can be dropped on; `data-drop` tells whether it is above it.
+ * @param accepts - asked of what is dragged, whose content cannot be read before it is dropped
+ */
+export function useDropTarget(
+  accepts: (dragged: DataTransfer) => boolean,
+  dropped: (data: DataTransfer) => void,
+): HTMLAttributes<HTMLElement> {
+  const [isOver, setOver] = useState(false);
+  const take = (event: DragEvent, isDrop: boolean): void => {
+    const isTaken = accepts(event.dataTransfer);
+    setOver(isTaken && !isDrop);
+    if (!isTaken) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (isDrop) dropped(event.dataTransfer);
+    else event.dataTransfer.dropEffect = 'copy';
+  };
+  return {
+    ...{ 'data-drop': isOver, onDragLeave: () => setOver(false) },
+    onDragOver: (event) => take(event, false),
+    onDrop: (event) => take(event, true),
+  };
+}
