@@ -98,39 +98,39 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// a light, unless it is an area light; sphere, emission: texels of its record; isLit: its mask lets all through; plain
-// point lights, most of all lights, take the short way
+// a light with a range, unless it is an area light; sphere, emission: texels of its record; isLit: its mask lets all
+// through; plain point lights, most of all lights, take the short way
 void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphere, const in vec4 emission,
-  const in bool isLit, const in bool isDirectional, const in bool hasRange) {
-  vec3 toLight = isDirectional ? vec3(0.0) : farol_lightPosition(sphere) - s.positionVS;
+  const in bool isLit) {
+  vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
   float range = farol_lightRange(sphere);
   float distanceSquared = dot(toLight, toLight);
-  float ratio = hasRange ? distanceSquared / (range * range) : 0.0;
+  float ratio = distanceSquared / (range * range);
   if (ratio >= 1.0) return;
-  vec3 direction = isDirectional ? farol_lightPosition(sphere) : toLight * inversesqrt(max(distanceSquared, 1e-12));
+  vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
   vec3 color = farol_lightColor(emission);
   float decay = farol_lightDecay(emission);
-  float attenuation = isDirectional ? 1.0 : farol_boundedAttenuation(distanceSquared, ratio, decay);
+  float attenuation = farol_boundedAttenuation(distanceSquared, ratio, decay);
   vec3 specularScale = vec3(1.0);
-  if (isDirectional ? farol_lightHasDetails(emission) : !farol_lightIsPlain(emission)) {
+  if (!farol_lightIsPlain(emission)) {
     vec4 details = farol_lightDetails(record);
     FAROL_SKIP_AREA(details)
     bool isMaskedPoint = false;
 #ifdef FAROL_POINT_MASKS
-    isMaskedPoint = hasRange && farol_lightIsMaskedPoint(details);
+    isMaskedPoint = farol_lightIsMaskedPoint(details);
 #endif
     if (!isMaskedPoint) {
       int extension = farol_lightExtensionRecord(details);
       vec3 ambient = vec3(0.0);
       if (extension > 0) {
-        if (!isDirectional) attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), range, decay);
+        attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), range, decay);
         vec3 diffuseScale = farol_extensionDiffuse(extension);
         // diffuse and specular sums share one colour, but may be scaled differently
         specularScale = farol_extensionSpecular(extension) / max(diffuseScale, 1e-6);
         color *= max(diffuseScale, 1e-6);
         ambient = farol_extensionAmbient(extension);
       }
-      if (!isDirectional && farol_lightIsSpot(details)) {
+      if (farol_lightIsSpot(details)) {
         vec4 cone = farol_lightCone(record);
         attenuation *= farol_angularAttenuation(dot(direction, farol_lightAxis(cone)), farol_lightCutoff(cone),
           farol_lightPenumbra(details), farol_lightExponent(details));
@@ -139,7 +139,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
       s.diffuse += ambient * attenuation;
     }
     if (dot(s.normalVS, direction) <= 0.0) return;
-#if defined( FAROL_BOUNDED_MASKS ) || defined( FAROL_POINT_MASKS ) || defined( FAROL_UNBOUNDED_MASKS )
+#if defined( FAROL_BOUNDED_MASKS ) || defined( FAROL_POINT_MASKS )
     // one call in the text: compilers copy the mask's code to each
     if (isMaskedPoint || (farol_lightIsMasked(details) && !isLit)) {
       color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), isMaskedPoint, toLight, FAROL_LOOKUP_OF(s));
@@ -154,7 +154,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
 
 // a light with a range, unless it is an area light
 void farol_addLocal(inout FarolShading s, const in int record) {
-  farol_addRead(s, record, farol_lightSphere(record), farol_lightEmission(record), false, false, true);
+  farol_addRead(s, record, farol_lightSphere(record), farol_lightEmission(record), false);
 }
 
 // adds directional lights, and local lights without a range

@@ -24,5 +24,5 @@ void farol_addOther(inout FarolShading s, const in int record, const in bool isL
     return;
   }
 #endif
-  if (!farol_lightIsPlain(emission)) farol_addRead(s, record, sphere, emission, isLit, false, true);
+  if (!farol_lightIsPlain(emission)) farol_addRead(s, record, sphere, emission, isLit);
 }
