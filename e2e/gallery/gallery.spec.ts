@@ -23,10 +23,11 @@ const exceptions: Record<string, Limits | undefined> = {
   'dragon-room': { largest: 0.05, psnr: 70 },
   // one pixel at the edge of a shadow: 9.5e-4 and 114.8 dB
   'light-kinds': { largest: 0.002, psnr: 110 },
-  // a graphics card's driver rounds places in shadow maps otherwise in another program: 87.9 and 110.5 dB on an H200
+  // a graphics card's driver rounds places in shadow maps otherwise in another program: 87.9, 110.5 and 105.18 dB on an H200
   ...(process.env.FAROL_GPU && {
     'sun-cascades': { largest: 0.002, psnr: 85 },
     'dissolving-surface': { largest: 5e-4, psnr: 105 },
+    'light-kinds': { largest: 0.002, psnr: 105 },
   }),
 };
 

@@ -2,6 +2,7 @@ import type { BufferGeometry, Camera, InstancedMesh, Object3D, Sphere } from 'th
 import type { RenderItem } from '../../frame/RenderItem';
 import { byState } from '../../frame/RenderQueue';
 import type { RenderListItem } from '../../three/RenderListItem';
+import { isReadable } from '../../three/vertexData';
 
 /** Number of cells along a side of the picture. */
 const SIDE = 8;
@@ -205,7 +206,7 @@ function boxOf(object: Object3D, geometry: BufferGeometry): Float32Array | null 
 
 function sampledBox({ attributes }: BufferGeometry): Float32Array | null {
   const { position } = attributes;
-  if (position === undefined || position.count === 0) return null;
+  if (position === undefined || position.count === 0 || !isReadable(position)) return null;
   const box = new Float32Array([Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]);
   const step = Math.ceil(position.count / SAMPLES);
   for (let i = 0; i < position.count; i += step) {
