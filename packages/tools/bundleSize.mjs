@@ -7,7 +7,7 @@ import { parseSync } from 'vite';
  * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. What renderer/lazyCode.ts fetches
  * when a scene or setting first asks for it is not counted.
  */
-export const rendererLimit = 50_100;
+export const rendererLimit = 50_500;
 
 /** Bytes that the editor's script may take before its first frame; panels, dialogs and loaders come on demand. */
 export const editorLimit = 409_200;
