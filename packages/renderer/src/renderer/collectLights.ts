@@ -17,9 +17,8 @@ const FORCED = 2;
 /**
  * Finds the managed lights that the camera's layers see, parents before children.
  * @param camera - the camera, or the array of cameras that contains it
- * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in
- * memory
- *   is fetched once, not twice. Default false
+ * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: lights are
+ *   then read from memory once, not twice. Default false
  */
 export function collectLights(
   root: Object3D,

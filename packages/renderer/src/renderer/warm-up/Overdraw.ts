@@ -75,6 +75,8 @@ export class Overdraw {
       this.order = null;
       return;
     }
+    // a host's getter that threw may have left some
+    reordered.length = opaque.length;
     for (let i = 0; i < opaque.length; i++) reordered[i] = opaque[i];
     reordered.sort(order === null ? byOctave : byState);
     const sign = order === null ? -1 : 1;
