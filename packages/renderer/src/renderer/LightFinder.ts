@@ -6,10 +6,10 @@ import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Maximum number of lights with a shadow or an image that three draws, by its texture units, until Farol does. */
+/** Maximum number of lights with a shadow map or image that three draws (few texture units) until Farol's code is loaded. */
 const FEW_MASKS = 4;
 
-/** Uniform vectors of three's lit shaders besides lights, and of one spot light. */
+/** Uniform vectors of three's lit shaders: without lights, and for one spot light. */
 const UNIFORMS = 100;
 const UNIFORMS_PER_LIGHT = 7;
 
@@ -62,7 +62,7 @@ export class LightFinder {
     collectLights(scene, camera, left, found);
   }
 
-  /** Frees the shadow maps and area lights; a scene may ask for them again. */
+  /** Frees the shadow maps and area lights; a later frame that needs them creates them anew. */
   dispose(): void {
     this.shadows?.dispose();
     this.shadows = null;

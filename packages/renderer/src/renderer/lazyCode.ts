@@ -14,7 +14,7 @@ export const areaCode = new Lazy('area-lights', () => import('../lighting/area-l
 /** The views of surfaces, overdraw and buffers. */
 export const viewCode = new Lazy('views', () => import('../views'), 'the final picture is shown');
 
-/** Lights as data: LightField. Their lists are those of tiles. */
+/** Lights as data (LightField); they need the code of tile lists too. */
 export const lightFieldCode = new Lazy(
   'light-fields',
   async () => (await Promise.all([import('../light-fields/makeLightFields'), tileCode.load()]))[0],
@@ -32,7 +32,7 @@ export const nodeCode = new Lazy(
   'three draws scenes that have some',
 );
 
-/** Rules of 'auto'; compiles programs ahead, and waits for a picture that is as it stays. */
+/** Rules of 'auto', compilation of programs ahead, and `FarolRenderer.ready`. */
 export const warmUpCode = new Lazy('warm-up', () => import('./warm-up'), "'auto' draws by one of two techniques");
 
 /** Anti-aliasing of techniques that draw one sample a pixel. */
@@ -45,7 +45,7 @@ export const antialiasingCode = new Lazy(
 /** Code that measures GPU times of passes. */
 export const timerCode = new Lazy('timer', () => import('./timer'), 'there are none');
 
-/** Frames at the scale that holds a frame budget. */
+/** Scaled frames and the controller that holds a frame budget. */
 export const budgetCode = new Lazy('budget', () => import('./budget'), 'frames are drawn at full size');
 
 /** Trials of techniques, which 'auto' learns from. */

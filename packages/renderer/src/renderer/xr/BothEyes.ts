@@ -37,7 +37,7 @@ interface MultisampledMultiview {
   ): void;
 }
 
-/** Techniques whose passes draw objects alone. */
+/** Techniques that have no full-screen passes, only draws of objects. */
 const TECHNIQUES = new Set(['clustered-forward', 'forward-single-pass']);
 /** Number of samples that three uses with `antialias`. */
 const SAMPLES = 4;
@@ -62,11 +62,11 @@ function attachmentsOf(gl: WebGL2RenderingContext): Attach | 'none' {
 export class BothEyes {
   readonly twins = new EyeTwins();
   readonly adapters = [this.twins];
-  /** Sees what both eyes see. */
+  /** Camera whose frustum contains both eyes'. */
   readonly camera = new PerspectiveCamera();
-  /** Attaches arrays to the bound framebuffer; null until the device is asked. */
+  /** Function that attaches arrays to the bound framebuffer; null before the device's support is tested. */
   private attach: Attach | 'none' | null = null;
-  /** Target for three: of one texel, its framebuffer drawing to the arrays. */
+  /** Target of one texel as three sees it; its framebuffer has the arrays attached. */
   private target: WebGLRenderTarget | null = null;
   private readonly size = new Vector2();
   private color: WebGLTexture | null = null;
@@ -99,7 +99,7 @@ export class BothEyes {
     return this.color === null ? 0 : 2 * BYTES * this.size.x * this.size.y;
   }
 
-  /** Binds the arrays, if device, session and scene allow for it. @returns whether they do */
+  /** Binds the arrays if device, session and scene support it. @returns whether the arrays are bound */
   begin(scene: Object3D, eyes: ArrayCamera): boolean {
     const { webgl, camera } = this;
     const gl = webgl.getContext() as WebGL2RenderingContext;
@@ -125,13 +125,13 @@ export class BothEyes {
     return true;
   }
 
-  /** Whether something of the frame cannot be drawn for both eyes at once: then nothing is drawn. */
+  /** Whether the frame holds something that cannot be drawn for both eyes at once; the frame is then drawn eye by eye. */
   refuses({ view, fields, queue }: Frame, technique: string): boolean {
     if (view !== 'final' || fields !== null || !TECHNIQUES.has(technique) || queue.transmissive.length > 0) return true;
     return queue.opaque.some(this.refused) || queue.transparent.some(this.refused);
   }
 
-  /** Writes the eyes to the layer. Called inside three's `render`. */
+  /** Writes both eyes to the session's layer. Called inside three's `render`. */
   present(frame: Frame): void {
     const { pass, target, viewport } = this;
     pass.uniforms.farol_eyeWidth.value = viewport.z / 2;

@@ -24,7 +24,7 @@ export class EyeTwins implements TwinAdapter {
   private readonly kinds = new WeakMap<TwinKind, TwinKind>();
   private gl!: WebGL2RenderingContext;
   private shaderSource!: WebGL2RenderingContext['shaderSource'];
-  /** The host's own method, if it has replaced WebGL's. */
+  /** Descriptor of the host's `shaderSource`, if it has replaced WebGL's on the context. */
   private hostMethod: PropertyDescriptor | undefined;
   private readonly uniforms = {
     farol_eyeProjections: { value: [new Matrix4(), new Matrix4()] },
@@ -41,7 +41,7 @@ export class EyeTwins implements TwinAdapter {
     return both;
   }
 
-  /** @param camera - sees what the eyes see */
+  /** @param camera - camera whose frustum contains both eyes' */
   set(camera: PerspectiveCamera, eyes: readonly Eye[]): void {
     const { farol_eyeProjections, farol_eyesWS, farol_eyesVS, farol_eyeOrigins } = this.uniforms;
     const { farol_unionPixels, farol_unionLast } = this.uniforms;
@@ -59,7 +59,7 @@ export class EyeTwins implements TwinAdapter {
     farol_unionLast.value.set(width - 1, height - 1);
   }
 
-  /** Adds the extension to programs that name an eye and are compiled from here on. */
+  /** From here on, adds the extension's directive to sources of programs that read the eye's index. */
   begin(gl: WebGL2RenderingContext): void {
     this.hostMethod = Object.getOwnPropertyDescriptor(gl, 'shaderSource');
     this.shaderSource = gl.shaderSource;
@@ -85,7 +85,7 @@ export class EyeTwins implements TwinAdapter {
       patch: (shader, source, header) => {
         kind.patch(shader, source, header);
         Object.assign(shader.uniforms, this.uniforms);
-        // fog is by an eye's depth: the w of its clip space
+        // fog depends on the eye's depth, the w of its clip space
         const vertex = shader.vertexShader.replace(FOG, `${FOG}\n#ifdef USE_FOG\n  vFogDepth = gl_Position.w;\n#endif`);
         shader.vertexShader = `${eyesVertex}\n${vertex}`;
         const fragment = shader.fragmentShader

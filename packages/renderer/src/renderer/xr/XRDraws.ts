@@ -17,10 +17,10 @@ export class XRDraws implements Session {
   private readonly lights: Light[] = [];
   private readonly known = new Set<Light>();
   private readonly bothEyes: BothEyes;
-  /** Both eyes are drawn by one call each: see `FarolOptions.multiview`. */
+  /** Set while one call per object draws both eyes, see `FarolOptions.multiview`; else null. */
   both: BothEyes | null = null;
   private refused = false;
-  /** Frames for which a scene is drawn eye by eye. */
+  /** Number of frames for which each scene is still drawn eye by eye. */
   private readonly waits = new WeakMap<Object3D, number>();
 
   constructor(private readonly webgl: WebGLRenderer) {
@@ -36,7 +36,7 @@ export class XRDraws implements Session {
   }
 
   /**
-   * Places the eyes and draws by them. As in three, `camera` follows the head; what its parent does moves the eyes.
+   * Updates the eyes' cameras and draws by each. As in three, `camera` follows the head, and its parent moves the eyes.
    * @param multiview - whether both eyes are drawn at once, where that is possible
    */
   render(scene: Object3D, camera: Camera, multiview: boolean, draw: DrawByCamera): void {
@@ -45,7 +45,7 @@ export class XRDraws implements Session {
     if (xr.cameraAutoUpdate) xr.updateCamera(camera as Parameters<typeof xr.updateCamera>[0]);
     const eyes = xr.getCamera();
     this.follow(eyes, false);
-    // three would draw by the session's camera again
+    // else three would draw with the session's camera
     xr.enabled = false;
     try {
       if (!multiview || !this.drawBoth(scene, eyes, draw)) drawCameras(this.webgl, scene, eyes, this, draw);
@@ -111,7 +111,7 @@ export class XRDraws implements Session {
     return masked;
   }
 
-  /** @param does - whether world matrices follow from positions; those of the eyes come from the head and the camera's parent */
+  /** @param does - whether three updates the eyes' world matrices; false keeps those of WebXRManager */
   private follow(eyes: ArrayCamera, does: boolean): void {
     eyes.matrixWorldAutoUpdate = does;
     for (const eye of eyes.cameras) eye.matrixWorldAutoUpdate = does;

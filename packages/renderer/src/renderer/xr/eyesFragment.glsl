@@ -1,4 +1,4 @@
-// Head of fragment shaders that draw both eyes at once; lists of lights are of tiles of the union camera's picture.
+// Head of fragment shaders that draw both eyes at once; tiles of light lists are the union camera's.
 // Farol
 uniform highp vec3 farol_eyesWS[2];
 uniform highp vec3 farol_eyesVS[2]; // view space of the union camera

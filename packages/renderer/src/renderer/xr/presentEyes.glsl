@@ -3,7 +3,7 @@
 #include "viewport"
 uniform highp sampler2DArray farol_eyes;
 uniform highp sampler2DArray farol_eyeDepths;
-uniform highp int farol_eyeWidth; // pixels
+uniform highp int farol_eyeWidth; // width of one eye's picture (pixels)
 layout(location = 0) out highp vec4 farol_color;
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);

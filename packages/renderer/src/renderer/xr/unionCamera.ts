@@ -1,7 +1,7 @@
 import { Matrix4, type PerspectiveCamera } from 'three';
 import { projectionFar, projectionNear } from '../../lights/projection';
 
-/** Largest difference of the eyes' axes: eyes that are turned to each other have no frustum in common. */
+/** Largest difference between the eyes' axes; eyes turned towards each other have no common frustum. */
 const PARALLEL = 1e-5;
 const relative = new Matrix4();
 
@@ -16,7 +16,7 @@ export function setUnionCamera(camera: PerspectiveCamera, [first, second]: reado
   const p = first.projectionMatrix.elements;
   const q = second.projectionMatrix.elements;
   if (p[11] !== -1 || q[11] !== -1) return false;
-  // tangents of the angles at which the frusta end
+  // tangents of the angles of the common frustum's sides
   const left = Math.min((p[8] - 1) / p[0], (q[8] - 1) / q[0]);
   const right = Math.max((p[8] + 1) / p[0], (q[8] + 1) / q[0]);
   const bottom = Math.min((p[9] - 1) / p[5], (q[9] - 1) / q[5]);
