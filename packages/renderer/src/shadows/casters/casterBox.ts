@@ -45,7 +45,8 @@ function reachOf(material: Material | null): number {
 /**
  * Finds the box along the world's axes round an object; changes nothing of the object.
  * @param out - gets centre and half sizes (m), 6 numbers
- * @returns false for objects without a box: instances, batches, points, and what shaders bend without a declared reach
+ * @returns false for objects without a box: instances, batches, points, and objects that shaders displace without a declared
+ *   reach
  */
 export function casterBox(object: Object3D, out: Float64Array): boolean {
   const mesh = object as AnyMesh;

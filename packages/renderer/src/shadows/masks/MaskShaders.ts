@@ -46,7 +46,7 @@ export class MaskShaders {
     this.microshaders.swap(name, parseMicroShader(name, text));
   }
 
-  /** Removes all code for masks from shaders; there are no maps any more. */
+  /** Removes all code for masks from shaders, when the maps are disposed. */
   dispose(): void {
     if (this.level > 0) this.microshaders.swap('lightMask', this.originalChunk);
     this.level = 0;

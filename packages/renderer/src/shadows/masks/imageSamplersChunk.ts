@@ -1,7 +1,6 @@
 /**
- * GLSL text of the microshader `imageSamplers`, which samples the textures that spot lights project, with explicit
- * gradients.
- * @param count - number of samplers. GLSL wants their indices to be constants
+ * GLSL text of the microshader `imageSamplers`, which samples the textures that spot lights project, with explicit gradients.
+ * @param count - number of samplers; GLSL requires constant indices
  */
 export function imageSamplersChunk(count: number): string {
   const lines = Array.from(

@@ -5,7 +5,7 @@ import type { FarolLightData } from '../../lights/lightData';
 const TEXELS = 1024;
 const LEAST_TEXELS = 16;
 const MOST_TEXELS = 8192;
-/** Default offset along the normal (m); a bias of depths would grow with the distance of a surface. */
+/** Default normal bias (m); a bias in depth would grow with a surface's distance. */
 const NORMAL_BIAS = 0.03;
 /** Near plane of the map (m). */
 const NEAR = 0.05;
@@ -26,8 +26,8 @@ export class AreaShadowLight extends PointLight {
   }
 
   /**
-   * Shadow light of an area light, moved to where the area light is now.
-   * @param range - beyond which the light gives nothing (m), 0 for none
+   * Shadow light of an area light, moved to the area light's position.
+   * @param range - distance beyond which the light gives nothing (m), 0 for unlimited
    */
   static follow(light: RectAreaLight, range: number): AreaShadowLight {
     let stand = lightsOfAreas.get(light);

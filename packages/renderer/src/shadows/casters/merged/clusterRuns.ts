@@ -40,7 +40,7 @@ export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Cluster
       runs[31 - Math.clz32(shown)].add(first + start, end - start);
       continue;
     }
-    // one byte a face and one bit a cluster: faces 0 to 3 here, faces 4 and 5 in the second number
+    // one byte for each face, one bit for each cluster: faces 0 to 3 here, faces 4 and 5 in the next number
     let firstFaces = 0;
     let lastFaces = 0;
     const endOfBoxes = Math.min(boxes.length, (group + 6) * CLUSTERS_PER_GROUP);
