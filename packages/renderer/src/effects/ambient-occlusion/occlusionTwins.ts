@@ -36,7 +36,7 @@ farol_outIndirect = vec4(reflectedLight.indirectDiffuse + material.roughness * r
 farol_outIndirect = vec4(reflectedLight.indirectDiffuse, 0.0);
 #endif`;
 
-/** Twin kind of a G-buffer draw that also writes its indirect light to the attachment at a location. */
+/** Twin kind of a G-buffer draw that also writes its indirect light to the attachment `location`. */
 export function indirectTwin(kind: TwinKind, location: number): TwinKind {
   return {
     ...kind,
