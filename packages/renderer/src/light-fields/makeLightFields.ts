@@ -24,7 +24,7 @@ export function makeLightFields(frame: Frame): LightFields | null {
   }
   addMicroShaders(microshaders, 'light-fields', microShaders);
   const uniforms = frame.uniforms as typeof frame.uniforms & Partial<FieldSlices>;
-  // uniforms of twins that are made later
+  // added to the shared uniforms, for twins made later
   if (uniforms.farol_fieldSlices === undefined) Object.assign(uniforms, fieldSlices());
   return new LightFields(frame, uniforms as FieldSlices);
 }

@@ -6,7 +6,7 @@ uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
 uniform highp ivec4 farol_beginning; // new particles: x: first slot; y: number at once; z: number later; w: all slots
 uniform highp uint farol_firstNumber; // number of the first new particle since the restart
-uniform highp vec3 farol_stepTimes; // x: length of the step (s); y: first later start (s); z: interval of later ones (s)
+uniform highp vec3 farol_stepTimes; // seconds; x: length of the step; y: first later start; z: interval of later ones
 uniform highp mat4 farol_emitterStart; // world matrix of the emitter at the start of the step and at its end
 uniform highp mat4 farol_emitterEnd;
 uniform highp mat4 farol_carried; // motion of the emitter in the step, for living particles that move with it
