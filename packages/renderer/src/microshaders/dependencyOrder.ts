@@ -2,17 +2,17 @@ import type { MicroShader } from './MicroShader';
 import { nearestName } from './nearestName';
 import { shortText } from './shortText';
 
-/** Greatest depth of dependencies, which are followed by recursion. */
+/** Maximum depth of dependencies, which are visited recursively. */
 const DEEPEST = 200;
 
-/** Looks chunks up by name. */
+/** Source of chunks by name. */
 export interface MicroShaderSource {
   get(name: string): MicroShader | undefined;
   names(): readonly string[];
 }
 
 /**
- * The chunks of the list with all their dependencies, each once, none before what it depends on.
+ * The chunks of the list and all their dependencies, each once, after its dependencies.
  * @throws Error for an unknown name or a cycle, with the path to it
  */
 export function dependencyOrder(names: readonly string[], source: MicroShaderSource): MicroShader[] {
@@ -34,7 +34,7 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
   return order;
 }
 
-/** Text of the path of names; the middle of a long one is left out. */
+/** Text of a path of names, without the middle of a long one. */
 function wayOf(names: readonly string[]): string {
   const way = names.map((name) => shortText(name));
   return (way.length > 8 ? [...way.slice(0, 4), '…', ...way.slice(-3)] : way).join(' -> ');
