@@ -132,7 +132,9 @@ export class LightField extends Light {
   /** Copies another field of the same capacity. @throws RangeError when capacities differ */
   override copy(source: this, recursive?: boolean): this {
     if (source.capacity !== this.capacity)
-      throw new RangeError(`LightField: copy() of ${source.capacity} lights to ${this.capacity}; clone() the field.`);
+      throw new RangeError(
+        `LightField: copy() from capacity ${source.capacity} to ${this.capacity}; use clone() instead.`,
+      );
     super.copy(source, recursive);
     this.count = source.count;
     this.textures = source.textures;

@@ -17,7 +17,7 @@ export function makeLightFields(frame: Frame): LightFields | null {
   if (gl.getExtension('EXT_color_buffer_float') === null) {
     if (!reported.has(gl) && !gl.isContextLost())
       console.warn(
-        `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws to half floats alone'}: LightFields light nothing; use three's lights.`,
+        `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws only to half floats'}, so LightFields give no light; use three's lights.`,
       );
     if (!gl.isContextLost()) reported.add(gl);
     return null;

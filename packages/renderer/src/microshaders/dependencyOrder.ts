@@ -23,7 +23,8 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
     const here = [...path, name];
     if (path.includes(name))
       throw new Error(`Microshader cycle: ${wayOf(here.slice(path.indexOf(name)))}; take one #include out.`);
-    if (path.length > DEEPEST) throw new Error(`Microshaders are more than ${DEEPEST} includes deep: ${wayOf(here)}`);
+    if (path.length > DEEPEST)
+      throw new Error(`Microshaders are more than ${DEEPEST} includes deep: ${wayOf(here)}; include fewer.`);
     const chunk = source.get(name);
     if (chunk === undefined) throw new Error(unknownMessage(name, here, source));
     for (const dependency of chunk.dependencies) visit(dependency, here);

@@ -74,7 +74,9 @@ export class EffectList {
     const apart = this.several && effect.takesPicture === true;
     const gathers = this.stereo && effect.movesCamera === true;
     if (lacks === null && !apart && !gathers) return true;
-    const why = apart ? 'the target has several textures' : 'it gathers frames of one camera, and XR has an eye each';
+    const why = apart
+      ? 'the target has several textures'
+      : 'it gathers frames of one camera, and XR has one for each eye';
     const reason = lacks === null ? why : `this device ${lacks}`;
     if (!this.reported.has(effect)) console.warn(`Farol: ${effect.name} is left out, since ${reason}.`);
     this.reported.add(effect);

@@ -79,7 +79,7 @@ export class LightFinder {
     if (!this.warned) {
       this.warned = true;
       console.warn(
-        `Farol: where an onBeforeCompile takes #include <lights_fragment_begin> out, or the chunk was changed, three lights the material; it can take ${most} of the ${this.found.left} lights, so such materials are unlit. Keep the chunk.`,
+        `Farol: materials whose onBeforeCompile removes or changes #include <lights_fragment_begin> are unlit: only three can light them, and its shaders hold ${most} of the ${this.found.left} lights; keep that line.`,
       );
     }
     return true;

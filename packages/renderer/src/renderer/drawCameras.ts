@@ -4,7 +4,7 @@ import type { Session } from '../frame/Session';
 import { afterRender, beforeRender } from './sceneCallbacks';
 
 /** Pictures by an array of cameras, each into its part of the target. */
-export const arrayCode = new Lazy('camera-arrays', () => import('./camera-arrays'), 'three draws by arrays of cameras');
+export const arrayCode = new Lazy('camera-arrays', () => import('./camera-arrays'), 'three draws arrays of cameras');
 
 /**
  * Draws a scene by one camera.

@@ -110,7 +110,7 @@ export const picture: Texts = {
   'frames take longer than the budget at the least scale': 'ni a la escala mínima bastan',
   'frames take less than the budget at the largest scale': 'a la escala máxima sobra tiempo',
   'a larger scale is tried': 'se prueba una escala mayor',
-  'effects of three have its output buffer': 'hay efectos de three en su búfer de salida',
+  "three's effects read its output buffer": 'hay efectos de three en su búfer de salida',
   'the target has several textures': 'el destino tiene varias texturas',
   'the target is part of a cube, an array or mipmaps': 'el destino es parte de un cubo, una serie o mipmaps',
   'the picture is small': 'la imagen es pequeña',

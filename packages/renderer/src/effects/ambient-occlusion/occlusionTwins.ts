@@ -6,7 +6,7 @@ import occludedIndirect from './occludedIndirect.glsl?raw';
 
 function warnOf({ name, type }: Material): void {
   console.warn(
-    `Farol: ambient occlusion does not darken the material "${name || type}": its onBeforeCompile takes #include <aomap_fragment> out; keep that line.`,
+    `Farol: ambient occlusion does not darken the material "${name || type}": its onBeforeCompile removes #include <aomap_fragment>; keep that line.`,
   );
 }
 

@@ -13,7 +13,7 @@ const UNBOUNDED = 16;
  * @param kinds - bits of `areaShapes`, `BOUNDED` and the bit of lights without a range
  */
 export const areaFeaturesChunk = (kinds: number): string =>
-  `// What shaders have code for: the kinds of area lights met so far.
+  `// Kinds of area lights that shaders have code for: those used so far.
 // Farol
 #define FAROL_AREA_KINDS ${kinds} // bits: 1 rectangles, 2 discs, 4 tubes; 8 with a range, 16 without
 `;

@@ -11,7 +11,7 @@ export const REASONS = {
 
 /** Sentences of `BudgetInfo.reason` for frames drawn at full size. */
 export const WHOLE = {
-  buffered: 'effects of three have its output buffer',
+  buffered: "three's effects read its output buffer",
   several: 'the target has several textures',
   part: 'the target is part of a cube, an array or mipmaps',
   small: 'the picture is small',

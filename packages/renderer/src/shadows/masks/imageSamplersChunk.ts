@@ -7,7 +7,7 @@ export function imageSamplersChunk(count: number): string {
     { length: count },
     (_, i) => `  if (image == ${i}) return textureGrad(farol_images[${i}], uv, right, up).rgb;\n`,
   );
-  return `// Samples the textures that spot lights throw.
+  return `// Samples the textures that spot lights project.
 // Farol
 ${count > 0 ? `uniform highp sampler2D farol_images[${count}];\n` : ''}
 // right, up: change of uv to the next pixels

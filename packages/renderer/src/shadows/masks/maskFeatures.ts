@@ -75,7 +75,7 @@ export function maskFeaturesOf(
 
 /** Text of the chunk `maskFeatures` for the given features only, since code of others would slow shaders down. */
 export function maskFeaturesChunk(features: number): string {
-  const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
+  const lines = ['// Shadow maps, cookies and profiles that shaders have code for: those used so far.', '// Farol'];
   const { basic, pcf, variance } = maskFeatures;
   lines.push(`#define FAROL_SHADOW_LOOKUPS ${(features & (basic | pcf | variance)) / basic}`);
   for (const [name, define] of Object.entries(defines)) {
