@@ -111,7 +111,7 @@ export class Frame extends FrameTarget {
   /** Number of shadow maps drawn in this frame. */
   shadowMapsDrawn = 0;
 
-  // ---- Set by `SceneDraws`, from the effects of the frame and from what three leaves uncleared ----
+  // ---- Set by `SceneDraws`, from the effects of the frame and the pixels that three leaves uncleared ----
 
   /** Adapters that replace the twin kind of a draw, in order: each receives the kind that the previous one returned. */
   adapters: readonly TwinAdapter[] = [];

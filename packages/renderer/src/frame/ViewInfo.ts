@@ -29,7 +29,10 @@ export interface ViewTile {
 export interface ViewInfo {
   /** Name of the view. */
   view: View;
-  /** Sentence on what the frame lacks, and the mend, while the final picture is shown instead; null while the buffer is shown. */
+  /**
+   * Sentence on what the frame lacks, and how to get it, while the final picture is shown instead; null while the buffer is
+   * shown.
+   */
   problem: string | null;
   /** Motion (pixels a frame) that is shown in full brightness; 0 in other views. */
   fullMotion: number;

@@ -39,7 +39,7 @@ export function isCountView(view: View): boolean {
   return view === 'light-count' || view === 'overdraw';
 }
 
-/** Whether a view shows surface properties, equal in every technique: drawn from a G-buffer of its own. */
+/** Whether a view shows surface properties, equal in every technique: drawn from a separate G-buffer. */
 export function isSurfaceView(view: View): boolean {
   const index = views.indexOf(view);
   return index > 0 && index < views.indexOf('lighting');

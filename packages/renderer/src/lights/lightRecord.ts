@@ -108,7 +108,7 @@ export const EXTENSION = {
 
 /**
  * Fourth number of a local light's `emission`: its decay, coded as below 0 for a light that is not plain.
- * @param decay - as three has it; below 0 light grows with distance, which no plain light does
+ * @param decay - three's `decay`; below 0, light grows with distance, which makes a light not plain
  */
 export function emissionDecay(decay: number, isPlain: boolean): number {
   return isPlain ? decay : -64 - Math.max(decay, -63);

@@ -60,10 +60,7 @@ export class SceneView {
   /** three's render lists, among them `list`; replaced when a lost context is restored. */
   private lists!: RenderLists;
   private getList!: RenderLists['get'];
-  /**
-   * Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` has put its stacks in
-   * order.
-   */
+  /** Whether the host's code has thrown in this frame; `error` is rethrown after three's `render`, which restores its stacks. */
   private failed = false;
   private error: unknown;
   /** Stands for all transmissive objects in three's list: three fills its transmission target only if the list has one. */
@@ -168,7 +165,7 @@ export class SceneView {
 
   /**
    * Ends the frame's drawing after the host's code has thrown. The exception reaches the host when three's `render` is done:
-   * three's stacks of lists and lights, its target and its clipping are never left half way.
+   * three's stacks of lists and lights, its target and its clipping are always restored.
    */
   private readonly fail = (error: unknown): void => {
     if (!this.failed) this.error = error;
@@ -206,7 +203,7 @@ export class SceneView {
     this.masks.length = 0;
   }
 
-  /** Keeps three from clearing what draws will fill anyway; three's clear colour is set all the same. */
+  /** Keeps three from clearing pixels that draws will fill; three still sets its clear colour. */
   private keepFromClearing(): void {
     const { webgl, autoClear, queue } = this;
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;

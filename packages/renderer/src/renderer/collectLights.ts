@@ -17,7 +17,7 @@ const FORCED = 2;
 /**
  * Finds the managed lights that the camera's layers see, parents before children.
  * @param camera - the camera, or the array of cameras that contains it
- * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: each light is then visited
+ * @param update - whether to update world matrices on the way, as `root.updateMatrixWorld()` would: each light is then visited
  *   once, not twice. Default false
  */
 export function collectLights(
@@ -36,7 +36,7 @@ export function collectLights(
     else if (root.visible) visitChildren(root, camera, left, found, KEPT);
   } else {
     found.rest.push(root);
-    // three's traversal meets the lights that are its children too
+    // three's traversal also visits lights that are children of the root
     if (root.visible) visit(root, (root as Light).isLight === true, camera, left, found);
   }
   // drops references to lights of larger earlier frames

@@ -138,7 +138,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     return this.planned.hasWork;
   }
 
-  /** Proxies of the casters that the frame draws, for three to bring their buffers up to date. */
+  /** Proxies of the casters that the frame draws, by which three updates their buffers. */
   get proxies(): readonly Object3D[] {
     return this.draws.proxies;
   }
@@ -220,7 +220,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     return listTiles(this, images);
   }
 
-  /** Ends a frame: resets `needsUpdate` of shadows, by which the host asks for one draw of a map. */
+  /** Ends a frame: resets `needsUpdate` of shadows, by which the host requests one draw of a map. */
   end(): void {
     const { shadowMap } = this.webgl;
     if (this.slots.lit.length > 0 && shadowMap.needsUpdate) shadowMap.needsUpdate = false;
@@ -344,7 +344,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private assign(slot: ShadowSlot, updates: boolean): void {
     const { map, shadow } = slot;
     const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (!map.isThere && wasAskedFor(slot));
-    // a light whose map the host has not asked for yet casts no shadow
+    // a light whose map was neither drawn nor requested casts no shadow
     slot.hasShadow = slot.casts && slot.placement.region !== null && (map.isThere || mayDraw);
     if (slot.hasShadow) {
       const draws = this.planMap(slot, mayDraw);

@@ -12,7 +12,7 @@ export interface ParsedSurface {
   readonly displaces: boolean;
   /** Whether the surface discards pixels, or may make the alpha test do so. */
   readonly discards: boolean;
-  /** Whether the surface's look, and its shape, depend on the time; discarded pixels count as shape. */
+  /** Whether pixels depend on the time; `movesByTime`: whether vertices, or discarded pixels, do. */
   readonly paintsByTime: boolean;
   readonly movesByTime: boolean;
   /** Greatest displacement (m), as a sum of products of uniforms; null if not declared, see `readReach`. */

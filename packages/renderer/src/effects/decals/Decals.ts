@@ -128,7 +128,7 @@ export class Decals implements FarolEffect {
     copies.copy(frame, gbuffer);
     this.materials ??= this.makeMaterials(frame);
     this.framebuffers.follow(frame, gbuffer);
-    frame.bind(gbuffer.target); // also sets the G-buffer's viewport
+    frame.bind(gbuffer.target); // binds the G-buffer again, which also sets its viewport
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_frameSize.value.set(frame.width, frame.height);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;

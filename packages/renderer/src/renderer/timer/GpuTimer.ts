@@ -66,7 +66,7 @@ export class GpuTimer {
     return pending.length < waiting;
   }
 
-  /** Begins anew after a lost context: its queries are gone, and extensions must be asked for again. */
+  /** Restarts after a lost context: its queries are lost, and the extension must be read again. */
   restart(): void {
     this.pending.length = this.free.length = 0;
     this.running = false;

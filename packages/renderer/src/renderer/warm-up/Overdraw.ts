@@ -20,14 +20,14 @@ const PIXELS_A_CHANGE = 4000;
 const BEHIND = 1e-3;
 
 /**
- * Front to back by octaves of depth, which spares shading of what is hidden; within an octave as `byState`, which spares
+ * Order front to back by octaves of depth, which saves shading of hidden pixels; within an octave as `byState`, which saves
  * changes of material.
  */
 export function byOctave(a: RenderListItem, b: RenderListItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || octaveOf(a.z) - octaveOf(b.z) || byState(a, b);
 }
 
-/** Octave of a depth, from 1/1024 (m) on; 0 for what is nearer, or behind the camera. */
+/** Octave of a depth (m), from 1/1024 on; 0 for nearer depths, and behind the camera. */
 const octaveOf = (z: number): number => 32 - Math.clz32(Math.max(0, z * 1024));
 
 /** Parts of a frame that an estimate reads. */
@@ -189,7 +189,7 @@ function trianglesOf(object: Object3D, { index, attributes, drawRange }: BufferG
 
 /** Box of an item in its object's space; null if unknown. */
 function boxOf(object: Object3D, geometry: BufferGeometry): Float32Array | null {
-  // instances, batches and skins have bounds of their own, which three computes to cull them
+  // instances, batches and skins have their own bounds, which three computes to cull them
   const { boundingSphere } = object as Object3D & { boundingSphere?: Sphere | null };
   if (boundingSphere === undefined) {
     let box = boxes.get(geometry);

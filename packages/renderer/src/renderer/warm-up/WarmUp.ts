@@ -23,10 +23,10 @@ const stop = (): never => {
 };
 
 /**
- * Makes a technique ready to draw the scene at hand while another one draws it. At the end of a frame its passes run with all
- * targets bound as they would be, but each draw ends once three has started to compile and link its program: nothing is drawn,
- * cleared or waited for, and only those callbacks of the host run that a compilation calls. Each frame starts one new program at
- * most; then each sets the uniforms of one linked program, so that no frame is long.
+ * Compiles a technique's programs for the current scene while another technique draws it. At the end of a frame its passes run
+ * with all targets bound as they would be, but each draw ends once three has started to compile and link its program: nothing is
+ * drawn, cleared or waited for, and only those callbacks of the host run that a compilation calls. Each frame starts one new
+ * program at most; then each sets the uniforms of one linked program, so that no frame is long.
  */
 export class WarmUp implements Preparation {
   /** True when all programs that the technique needs for the scene, as of the last `step`, are linked. */

@@ -16,10 +16,10 @@ const PIXEL = /gl_FragCoord\.xy ?\+ ?farol_targetOrigin/g;
 const TILE = /gl_FragCoord\.xy ?- ?farol_offset\) ?>> ?farol_grid\.x/g;
 const offset = new Matrix4();
 
-/** Camera of an eye, as three's WebXRManager has them. */
+/** Camera of an eye from three's WebXRManager. */
 export type Eye = PerspectiveCamera & { readonly viewport: Vector4 };
 
-/** Twins whose programs draw both eyes by one call; lighting is in the view space of a camera that sees what both see. */
+/** Twins whose programs draw both eyes by one call; lighting is in the view space of the union camera. */
 export class EyeTwins implements TwinAdapter {
   private readonly kinds = new WeakMap<TwinKind, TwinKind>();
   private gl!: WebGL2RenderingContext;

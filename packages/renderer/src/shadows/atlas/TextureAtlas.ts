@@ -21,7 +21,7 @@ export interface AtlasTenant {
   readonly map: AtlasMap;
   /** Halvings of the map whose detail pictures would not show; none when absent. */
   readonly detail?: MapDetail;
-  /** Number of mipmap levels of an image, laid out as mipmapBlock.ts has it; absent: one, without borders but a cube's. */
+  /** Number of mipmap levels of an image, laid out by mipmapBlock.ts; absent: one, without borders except a cube's. */
   readonly levels?: number;
   /**
    * Width of the border round each face of a cube with sides of `faceWidth` texels: it repeats the neighbouring faces,

@@ -20,7 +20,7 @@ export interface Caster {
   lastWalk: number;
   /** Object given to three's traversal, which uploads the buffers of the caster, see `casterProxy`. */
   proxy: Object3D | null;
-  /** Number of the frame for which `proxy` was handed out. */
+  /** Number of the frame that last used `proxy`. */
   proxyFrame: number;
   /** Number of changes of the world matrix, and of other changes of the box. */
   matrixVersion: number;

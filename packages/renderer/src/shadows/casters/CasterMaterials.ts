@@ -97,7 +97,7 @@ export class CasterMaterials {
     return needsOwn ? this.uniqueFor(source, set) : this.sharedFor(object as AnyMesh, set);
   }
 
-  /** True for materials that need a depth material of their own: they discard or displace. */
+  /** True for materials that need their own depth material, since they discard or displace. */
   private needsOwn(m: AnyMaterial): boolean {
     return Boolean(
       (this.webgl.localClippingEnabled && m.clipShadows && m.clippingPlanes !== null && m.clippingPlanes.length > 0) ||

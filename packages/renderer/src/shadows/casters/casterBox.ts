@@ -72,7 +72,7 @@ export function casterBox(object: Object3D, out: Float64Array): boolean {
 
 /**
  * True when a box lies wholly outside one of six planes.
- * @param planes - 6 × 4 numbers, as `viewFrustumPlanes` has them
+ * @param planes - planes from `viewFrustumPlanes`, 6 × 4 numbers
  * @param box - centre and half sizes, from index `at` on
  */
 export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
@@ -88,7 +88,7 @@ export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0
 
 /**
  * True when a box lies wholly inside six planes.
- * @param planes - 6 × 4 numbers, as `viewFrustumPlanes` has them
+ * @param planes - planes from `viewFrustumPlanes`, 6 × 4 numbers
  * @param box - centre and half sizes, from index `at` on
  */
 export function boxInsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {

@@ -84,7 +84,7 @@ export class ShadowMapDraws {
     this.hasMerged = this.hasReceivers = false;
   }
 
-  /** Finds the casters that each face of a light's map will draw, and lets three upload their buffers. */
+  /** Finds the casters that each face of a light's map will draw, and adds proxies by which three uploads their buffers. */
   prepare(slot: ShadowSlot): void {
     const merged = this.beginMerged();
     for (const face of slot.faces) face.clear();

@@ -23,7 +23,7 @@ export class MaskShaders {
     this.originalChunk = microshaders.get('lightMask')!;
   }
 
-  /** Notes what a light of the frame needs. @param features - bits of `maskFeatures` */
+  /** Adds features that a light of the frame needs. @param features - bits of `maskFeatures` */
   need(features: number): void {
     this.neededFeatures |= features;
   }

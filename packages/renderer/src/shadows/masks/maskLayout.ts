@@ -40,7 +40,7 @@ export const maskRecord = {
     isExtended: ['bool', `(int(t.z) & ${1 << PLACE_BITS.extended}) != 0`],
     /** Width of the border round a cube's face (texels). */
     border: ['int', `1 << (int(t.z) >> ${PLACE_BITS.border})`],
-    /** Offset along the surface's normal at which the map is looked up (m). */
+    /** Offset along the surface's normal at which the map is sampled (m). */
     normalBias: 'w',
   },
   /**

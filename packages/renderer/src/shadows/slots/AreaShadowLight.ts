@@ -15,7 +15,7 @@ const lightsOfAreas = new WeakMap<RectAreaLight, AreaShadowLight>();
 /** The point light at the centre of an area light, from which its shadow map is drawn: three's RectAreaLight has no shadow. */
 export class AreaShadowLight extends PointLight {
   readonly isAreaShadowLight = true;
-  /** Radius (m) of the area light, taken as a disc; decides how soft its shadows are. */
+  /** Radius (m) of a disc as large as the area light; sets the softness of its shadows. */
   size = 0;
 
   /** @param host - the area light */
@@ -37,7 +37,7 @@ export class AreaShadowLight extends PointLight {
     stand.layers.mask = light.layers.mask;
     stand.size = 0.5 * Math.sqrt(light.width * light.height);
     const { shadowMapSize, shadowNormalBias } = (light.userData.farol ?? {}) as FarolLightData;
-    // a map size of NaN stands for the default size
+    // a size of NaN (not set) becomes the default
     stand.shadow.mapSize.setScalar(MathUtils.clamp(Math.round(shadowMapSize!) || TEXELS, LEAST_TEXELS, MOST_TEXELS));
     stand.shadow.normalBias = shadowNormalBias! >= 0 ? shadowNormalBias! : NORMAL_BIAS;
     return stand;

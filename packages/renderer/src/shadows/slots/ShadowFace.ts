@@ -36,7 +36,7 @@ export class ShadowFace {
 
   constructor(readonly camera: Camera) {}
 
-  /** Frustum planes of the face (world space, 6 × 4 numbers as `viewFrustumPlanes` has them). */
+  /** Frustum planes of the face (world space), 6 × 4 numbers from `viewFrustumPlanes`. */
   get planes(): Float64Array {
     if (!this.hasFacePlanes) this.findPlanes();
     return this.facePlanes;

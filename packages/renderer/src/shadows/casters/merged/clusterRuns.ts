@@ -12,7 +12,7 @@ import type { TriangleRuns } from './TriangleRuns';
 const INDICES = CLUSTER_TRIANGLES * 3;
 const GROUP_INDICES = CLUSTERS_PER_GROUP * INDICES;
 
-/** The bits of a number from 0 to 15, each spread to a byte of its own. */
+/** For each number from 0 to 15, its four bits spread to four bytes. */
 const SPREAD = Int32Array.from({ length: 16 }, (_, i) => (i & 1) | ((i & 2) << 7) | ((i & 4) << 14) | ((i & 8) << 21));
 
 /** Reused list: index ranges to draw, one set for each of the six faces of a cube map. */
