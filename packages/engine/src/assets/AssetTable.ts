@@ -126,7 +126,7 @@ export abstract class AssetTable {
 
   /**
    * Adds or removes a folder; an asset's folder is part of its name, 'Props/robot.glb'.
-   * @throws AssetError for a path that is none
+   * @throws AssetError for an invalid path
    */
   setFolder(path: string, isThere: boolean): void {
     if (path.split('/').some((part) => part.trim() === '')) throw new AssetError(path, 'is not a folder path.');

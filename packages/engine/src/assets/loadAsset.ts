@@ -44,7 +44,7 @@ export async function fetchBytes(
   return response.arrayBuffer();
 }
 
-/** The part of an address that names a file, in small letters. */
+/** Path of a URL without query and fragment, in lower case. */
 export const pathOf = (url: string): string => url.split(/[?#]/)[0].toLowerCase();
 
 /**

@@ -14,7 +14,7 @@ export interface ModelSubtree {
 
 const nameOf = (node: Object3D): string => encode(node.name || node.type);
 
-/** Escapes the characters that paths are made of in a name. */
+/** Escapes the characters in a name that have a meaning in paths. */
 const encode = (name: string): string =>
   name.replaceAll(/[%/;#]/g, (letter) => `%${letter.charCodeAt(0).toString(16)}`);
 

@@ -1,10 +1,10 @@
 const RADIANS = Math.PI / 180;
 
-/** Air between an elevation (rad, above -2°) and space, 1 at the zenith. @see Kasten and Young 1989 */
+/** Relative air mass at an elevation (rad, above -2°): 1 at the zenith. @see Kasten and Young 1989 */
 const airMass = (elevation: number): number =>
   1 / (Math.sin(Math.max(0, elevation)) + 0.50572 * (Math.max(0, elevation) / RADIANS + 6.07995) ** -1.6364);
 
-/** Share of the sun's or the moon's disc that is above the horizon: it sets within half a degree. */
+/** Share of the sun's or the moon's disc that is above the horizon; the disc is half a degree wide. */
 const above = (elevation: number): number => Math.min(1, Math.max(0, 0.5 + elevation / (0.53 * RADIANS)));
 
 /**

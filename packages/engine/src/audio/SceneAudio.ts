@@ -36,7 +36,7 @@ function putAt(panner: PannerNode, { elements }: Matrix4): void {
   panner.positionZ.value = elements[14];
 }
 
-/** Makes the AudioSources of a scene heard, by three's audio. It follows what they say; they do not know of it. */
+/** Plays the AudioSources of a scene by three's audio. It reads their state in each frame; they do not refer to it. */
 export class SceneAudio implements SceneSystem {
   readonly order = 900;
 
@@ -66,7 +66,7 @@ export class SceneAudio implements SceneSystem {
       isPlaying ||= source.isPlaying;
     }
     this.dropVoices();
-    // the scene was put at a time: it does not go on from there
+    // the scene was moved to a time and does not advance
     if (!isPlaying || deltaSeconds === 0 || !audioOutput.mayBeHeard(this.listener?.context ?? null)) return;
     const listener = (this.listener ??= makeListener());
     if (listener.context.state === 'suspended') listener.context.resume().catch(() => {});

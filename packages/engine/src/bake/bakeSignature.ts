@@ -38,9 +38,8 @@ function placeOf({ object3D }: GameObject): string {
 }
 
 /**
- * Short text of all that a bake made now would depend on: static objects, baked lights, materials and
- * places, and the sky where it is baked. Another text than that of a bake tells that the bake is out of date. How
- * finely it is baked does not count.
+ * Hash of all that a bake made now would depend on: static objects, baked lights, materials and places, and the sky
+ * where it is baked. A bake with another hash is out of date. The quality of the bake is not included.
  */
 export function bakeSignature(scene: Scene, sources: BakeSources = bakeSources(scene)): string {
   const { settings, assets } = scene;
@@ -64,7 +63,7 @@ export function bakeSignature(scene: Scene, sources: BakeSources = bakeSources(s
   return hashOf(texts.toSorted().join('\n'));
 }
 
-/** 53 bits of a text, as 14 letters. bryc, cyrb53 */
+/** 53-bit hash of a text, 14 hexadecimal digits. bryc, cyrb53 */
 function hashOf(text: string): string {
   let a = 0xdeadbeef;
   let b = 0x41c6ce57;

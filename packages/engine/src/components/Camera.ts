@@ -10,8 +10,8 @@ import { toneMappingLabels, toneMappingNames } from '../settings/toneMappings';
 const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };
 
 /**
- * Lets a GameObject be looked through, along its front (-Z). It owns a three camera below the object's object3D.
- * View and projection are thesis 3.2.5.4's two matrices.
+ * Camera at a GameObject, facing its front (-Z). Owns a three camera below the object's object3D. View and projection
+ * are the two matrices of thesis 3.2.5.4.
  */
 export class Camera extends component({
   projection: choice('perspective', ['perspective', 'orthographic'], { help: 'How depth shows.' }),
@@ -90,7 +90,7 @@ export class Camera extends component({
     this.updateViewMatrix();
   }
 
-  /** Brings the view matrix up to date with the object's model matrix. Drawing does so by itself. */
+  /** Updates the view matrix from the object's model matrix. Drawing does so by itself. */
   updateViewMatrix(): void {
     this.three.updateWorldMatrix(true, false);
   }

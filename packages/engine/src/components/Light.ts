@@ -90,7 +90,7 @@ export class Light extends component(lightFields) {
     return this.substitute?.colour ?? colourOfLight(this);
   }
 
-  /** @internal Light of another component's in place of the fields'; null gives them back. Not an edit. */
+  /** @internal Replaces the fields' colour and intensity, until called with null. Not an edit. */
   setSubstitute(light: { readonly colour: Vector3Tuple; readonly intensity: number } | null): void {
     this.substitute = light;
     if (this.light) this.applyFields();
@@ -101,7 +101,7 @@ export class Light extends component(lightFields) {
     return this.type === 'rectangle' || this.type === 'disc' || this.type === 'tube';
   }
 
-  /** Solid angle (sr) by which a profile's largest intensity gives its lumens; null for none, and until it is loaded. */
+  /** Lumens per candela of the profile's largest intensity (sr); null without a profile, and until it is loaded. */
   get profileSolidAngle(): number | null {
     const profile = this.takeProfile();
     if (!profile || profile.maximumIntensity === 0) return null;

@@ -36,7 +36,7 @@ export class ObjectSurface implements LayerUser {
    * @param declared - all fields of the owner
    * @param refresh - makes the owner apply materials again
    * @param reachChanged - called when the greatest displacement of vertices changed
-   * @param views - finds fields that it has besides the uniforms
+   * @param views - returns the owner's field views other than those of uniforms
    */
   constructor(
     private readonly owner: Component,
@@ -57,9 +57,9 @@ export class ObjectSurface implements LayerUser {
   }
 
   /**
-   * Gives meshes their materials.
-   * @param dress - is handed what gives the material to draw with in place of one, which is that one where no surface
-   * is worn
+   * Applies materials to meshes.
+   * @param dress - called with `wear`, which returns the material to draw with: `source` itself where there is no
+   *   surface
    */
   dress(scene: Scene, dress: (wear: (source: Material) => Material) => void): void {
     const { layered } = scene.assets;

@@ -17,8 +17,8 @@ const SAME_TIME = 1e-4;
 
 /**
  * Emits particles that the GPU simulates, and that may be lights: `ParticleEmitter` of @farol/renderer/particles,
- * fetched when a scene first has one; an `App` switches the effect on that draws it. While the scene plays they go on
- * with its time, and begin from the seed with it: the same times give the same particles.
+ * fetched when a scene first has one; an `App` switches the effect on that draws it. While the scene plays they follow
+ * its time and restart from the seed with it, so equal times give equal particles.
  */
 export class ParticleEmitter extends component(particleFields) {
   static override readonly typeName: string = 'ParticleEmitter';

@@ -8,8 +8,8 @@ import { physicsComponent } from '../physics/physicsComponent';
  * Makes an object a body of the scene's physics, with the Colliders of the object and of those below it. While the
  * scene plays a dynamic body is moved by forces and collisions; a kinematic one goes where its object is moved by
  * animation or scripts, and pushes others; a fixed one stays. What it does is simulation: it is not saved, and
- * `scene.reset()` undoes it. Its methods may be called from `start` on; what is asked before the physics have begun
- * waits for them.
+ * `scene.reset()` undoes it. Its methods may be called from `start` on; calls made before the physics has started are
+ * deferred.
  */
 export class RigidBody extends physicsComponent(rigidBodyFields) {
   static override readonly typeName: string = 'RigidBody';
@@ -85,7 +85,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
     this.whenThere((body) => body.applyTorque(value));
   }
 
-  /** Lets a body move again that has come to rest. */
+  /** Wakes a sleeping body. */
   wakeUp(): void {
     this.whenThere((body) => body.wakeUp());
   }

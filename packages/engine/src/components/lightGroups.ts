@@ -39,7 +39,7 @@ export class LightGroups {
     return groups;
   }
 
-  /** Adds a light to the scene's. */
+  /** Adds a light, when its component enters the scene. */
   add(light: LightSource): void {
     this.lights.add(light);
   }

@@ -152,7 +152,7 @@ export class AuthoredState {
       });
       added.push(...container.childList.slice(children.length));
     };
-    // parents first: an object that was put below its own child leaves it before it gets children
+    // parents first: an object that was moved below its own child must leave it before that child is put back
     arrange(scene, this.roots);
     for (const [object, { children }] of this.objects) arrange(object, children);
     // objects that were moved into a removed object's place are no additions

@@ -51,10 +51,10 @@ export abstract class Component extends FieldOwner {
   onKeyUp?(event: EngineKeyEvent): void;
   /**
    * Pointer events on what is drawn of the object or of any below it: the nearest mesh under the pointer is called,
-   * then the objects above it. Over and out come once, however the pointer goes from part to part; whether it is over
-   * something is found out when it moves. A press and a release are of any button; a click is of the first one, pressed
-   * and released over the same object, no more than 10 CSS pixels apart. Touch is over what it presses, until it is
-   * lifted.
+   * then the objects above it. Over and out are called once, even if the pointer crosses several parts; they are
+   * evaluated when the pointer moves. A press and a release are of any button; a click is of the first one, pressed and
+   * released over the same object, no more than 10 CSS pixels apart. A touch stays over the object that it pressed,
+   * until it is lifted.
    */
   onPointerOver?(event: ObjectPointerEvent): void;
   onPointerOut?(event: ObjectPointerEvent): void;

@@ -224,7 +224,10 @@ export class GameObject implements GameObjectContainer {
     return component;
   }
 
-  /** Removes a component, which may be added again or disposed of. @throws Error for the Transform or a stranger */
+  /**
+   * Removes a component, which may be added again or disposed of.
+   * @throws Error for the Transform or another object's
+   */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
     if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);

@@ -25,7 +25,7 @@ const isCount = (value: unknown, most: number): value is number =>
 const isTriple = (value: unknown): value is [number, number, number] =>
   Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
 
-/** Reader of a file's parts, which follow one another. */
+/** Reads the parts of a file in sequence. */
 class Parts {
   private at = 0;
 
@@ -117,7 +117,7 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const { signature, lights, sky, channel } = head;
     return new BakedLight({ signature, lights, hasSky: sky === true, channel, lightmaps, meshes, probes });
   } catch (error) {
-    // JSON and deflate say what no user can mend
+    // messages of JSON.parse and inflate do not help a user
     if (error instanceof SyntaxError || error instanceof TypeError) damaged();
     throw error;
   }

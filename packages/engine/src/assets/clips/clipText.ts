@@ -16,8 +16,8 @@ const shortValue = (value: FieldValue): FieldValue => {
 };
 
 /**
- * The text that a ClipAsset holds for a clip: numbers are rounded to nine digits, so that what is read again is written as
- * the same text; keys come in order of time, and of those at one time the last stays.
+ * Text of a clip, as a ClipAsset stores it. Numbers are rounded to nine digits, so that reading and writing it again
+ * gives the same text; keys are sorted by time, and the last of equal times is kept.
  */
 export function clipText({ tracks, events }: ClipData): string {
   return JSON.stringify({
