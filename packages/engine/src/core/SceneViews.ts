@@ -38,7 +38,7 @@ export function viewProblem(view: Readonly<Record<keyof SceneView, unknown>>, me
 export class SceneViews {
   private readonly byPlace = new Map<number, SceneView>();
 
-  /** @param changed - called after a view was set or taken out */
+  /** @param changed - called after a view was set or removed */
   constructor(private readonly changed: (place: number) => void) {}
 
   /** Views with their places, in the order of the places. */

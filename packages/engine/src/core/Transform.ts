@@ -110,7 +110,7 @@ export class Transform extends component({
     this.set('position', world.toArray());
   }
 
-  /** Moves by a vector along the object's own axes, in metres of its parent's space (its scale does not count). */
+  /** Moves by a vector along the object's own axes, in metres of its parent's space (its own scale is ignored). */
   translateLocal(offset: Vector3Input): void {
     const { object3D } = this.gameObject;
     this.set(
@@ -120,7 +120,7 @@ export class Transform extends component({
   }
 
   /**
-   * Turns about an axis of the world through the object's own place, by radians, anticlockwise seen against the axis.
+   * Turns about a world axis through the object's origin, by radians, anticlockwise when the axis points at the viewer.
    */
   rotate(radians: number, axis: Vector3Input): void {
     const { object3D } = this.gameObject;
@@ -139,7 +139,7 @@ export class Transform extends component({
   lookAt(target: Vector3Input): void;
   /**
    * Puts the object at `eye` (in the world) and turns its front to `target`.
-   * @param up - the direction that shall be its top, as far as it can; [0, 1, 0] when absent
+   * @param up - direction that the top (+Y) turns towards; [0, 1, 0] when absent
    */
   lookAt(eye: Vector3Input, target: Vector3Input, up?: Vector3Input): void;
   lookAt(first: Vector3Input, second?: Vector3Input, up: Vector3Input = UP): void {
@@ -162,7 +162,7 @@ export class Transform extends component({
   }
 }
 
-/** Puts a field of the object back to its authored value. */
+/** Restores a field of the object to its authored value. */
 function restore(transform: Transform, name: string): void {
   place(transform.gameObject.object3D, name, transform.getAuthored(name) as Vector3Tuple);
 }

@@ -2,7 +2,7 @@ import type { CustomField, FieldTable, FieldType, FieldValue } from '@farol/edit
 import { Component } from './Component';
 import type { ComponentClass, ComponentData } from './ComponentClass';
 
-/** A value of a field whose declaration is not known. */
+/** Kind of a field whose declaration is unknown. */
 const data: FieldType = { name: 'data', allows: 'a number, text, true, false, null or [x, y, z]', check: () => true };
 
 /**
@@ -13,7 +13,7 @@ export abstract class UnknownComponent extends Component {
   static override readonly help: string = 'The script or plugin of this component is missing: its data are kept.';
 }
 
-/** The class of a component that holds the data of a class that is not known. */
+/** Makes a class for a component with the data of an unknown class. */
 export function unknownClass({ type, version, values }: ComponentData): ComponentClass<UnknownComponent> {
   // no default, so that every value is saved
   const fieldOf = (): CustomField => ({
@@ -32,7 +32,7 @@ export function unknownClass({ type, version, values }: ComponentData): Componen
   return Unknown;
 }
 
-/** A component on no object, which holds the data of a class that is not known. */
+/** Makes a component, on no object yet, with the data of an unknown class. */
 export function makeUnknownComponent(data: ComponentData): UnknownComponent {
   const component = new (unknownClass(data))();
   for (const name of Object.keys(data.values)) component.set(name, data.values[name]);
