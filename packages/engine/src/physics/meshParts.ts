@@ -80,7 +80,7 @@ export function meshParts(object: GameObject, scene: Scene): MeshPart[] {
   return parts;
 }
 
-/** Fulfilled when the meshes that colliders of a scene are fitted to are loaded, or could not be. */
+/** Resolves when all meshes that colliders of a scene need are loaded, or have failed. */
 export async function shapesReady(scene: Scene): Promise<void> {
   const names = new Set<string>();
   for (const collider of scene.componentsOf('Collider')) {
