@@ -1,9 +1,8 @@
 import type { WebGLRenderer } from 'three';
 
 /**
- * A signal that is aborted when the context of a renderer is lost, which takes with it what was drawn so far however soon it
- * is back, and when `signal` is.
- * @returns the signal, and what stops listening
+ * Makes a signal that aborts when `signal` does, or when the renderer's context is lost, with all that was drawn.
+ * @returns the signal, and a function that removes the listeners
  */
 export function untilLoss(renderer: WebGLRenderer, signal?: AbortSignal): { signal: AbortSignal; end(): void } {
   const controller = new AbortController();

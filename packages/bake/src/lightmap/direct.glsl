@@ -1,5 +1,5 @@
-// Irradiance at each texel of a lightmap by the lights of the table whose shadows have soft edges, or by those whose do
-// not: the sum over samples, and of the squares of its luminance
+// Irradiance at each texel by the lights of a table with soft shadows, or by those with hard ones: sum over samples,
+// and sum of squared luminance
 // three.js, lights_fragment_begin
 #include "tables"
 #include "random"

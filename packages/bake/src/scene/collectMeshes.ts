@@ -16,7 +16,7 @@ import type { StaticMesh, Surface } from './StaticMesh';
 export interface CollectOptions {
   isStatic(object: Object3D, instance?: number): boolean;
   throwsShadow(object: Object3D): boolean;
-  /** Called with a sentence on each mesh that is left out. */
+  /** Called with a sentence for each mesh that is left out. */
   onWarning(sentence: string): void;
 }
 
@@ -85,7 +85,7 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
   };
 }
 
-/** False for attributes whose array the host has freed, or never had. */
+/** False for attributes whose array the host has freed or never provided. */
 function isReadable(mesh: Mesh): boolean {
   const { instanceMatrix, instanceColor } = mesh as Partial<Pick<InstancedMesh, 'instanceMatrix' | 'instanceColor'>>;
   const { attributes, index } = mesh.geometry;
@@ -110,7 +110,7 @@ function posedGeometry(mesh: Mesh): BufferGeometry {
   return posed;
 }
 
-/** Whether three applies a lightmap to the material as incoming light; unlit materials would become darker. */
+/** Whether three applies a lightmap to the material as irradiance; unlit materials would become darker. */
 export function takesLightmap(material: Material): boolean {
   return 'lightMap' in material && !('isMeshBasicMaterial' in material);
 }
