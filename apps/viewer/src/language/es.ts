@@ -1,7 +1,7 @@
 import type { Texts } from '@farol/editing';
 import { es as editing, esOfApps } from '@farol/editing/es';
 
-/** Spanish of texts that the editor has too, in its words. */
+/** Spanish of texts that the editor has too, in the same words. */
 const shared: Texts = {
   ...editing,
   ...esOfApps,
@@ -10,7 +10,7 @@ const shared: Texts = {
     'Un sol bajo que proyecta sombras, un cielo al atardecer y mapeo de tonos, en vez de luz uniforme.',
 };
 
-/** All texts of the viewer in Spanish, by their English ones. */
+/** All texts of the viewer in Spanish, by their English texts. */
 export const es: Texts = {
   ...shared,
   'Scene {name}: {problem}': 'Escena {name}: {problem}',

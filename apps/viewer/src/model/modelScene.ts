@@ -27,7 +27,7 @@ export const modelParameters = {
   seed: { kind: 'number', default: 1, min: 0, integer: true, help: 'Another number, other paths of the lights.' },
 } as const satisfies FieldTable;
 
-/** A value for each of `modelParameters`: the given one, else the default. */
+/** Values of all `modelParameters`: the given ones, else the defaults. */
 export function modelValues(values: Record<string, FieldValue>): ValuesOf<typeof modelParameters> {
   return Object.fromEntries(
     Object.entries(modelParameters).map(([name, field]) => [name, values[name] ?? field.default]),
@@ -102,7 +102,7 @@ function viewpoint({ center, radius }: Sphere, bounds: Box3): GameObject {
   return object;
 }
 
-/** Lights of all hues on a ring around the model; each wanders around its place. */
+/** Lights of all hues on a ring around the model; each moves around its own position. */
 function lightRing({ center, radius }: Sphere, bounds: Box3, { lights, seed }: { lights: number; seed: number }) {
   const random = createRandom(seed);
   const height = bounds.max.y - bounds.min.y;

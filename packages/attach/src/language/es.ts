@@ -1,7 +1,7 @@
 import type { Texts } from '@farol/editing';
 import { es as editing } from '@farol/editing/es';
 
-/** All texts of the attached editor in Spanish, by their English ones. */
+/** All texts of the attached editor in Spanish, by their English texts. */
 export const es: Texts = {
   ...editing,
   '{count} materials': '{count} materiales',

@@ -4,9 +4,9 @@ import { placementOf, PlaceObjects } from './PlaceObjects';
 import type { Session } from './Session';
 
 /**
- * Takes the selected objects, with all below them, out of the scene: one step of history. What they hold on the GPU stays,
- * since the page may use it elsewhere, and an undo brings them back.
- * @throws Error when the page looks through one of them; nothing has changed then
+ * Removes the selected objects, with their descendants, from the scene, as one step of history. Their GPU resources are
+ * kept, since the page may use them elsewhere, and undo restores the objects.
+ * @throws Error when the page's camera is among them; nothing has changed then
  */
 export function removeSelected({ commands, topmost: objects, camera }: Session): void {
   if (objects.length === 0) return;

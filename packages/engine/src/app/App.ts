@@ -210,7 +210,7 @@ export class App {
     this.webgl.setSize(this.aspectWidth, this.aspectHeight);
   }
 
-  /** Calls `listener` after each frame that is drawn. @returns a function that ends it */
+  /** Calls `listener` after each frame that is drawn. @returns a function that removes the listener */
   onFrame(listener: (frame: FrameInfo) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

@@ -136,7 +136,7 @@ export abstract class AssetTable {
     this.tell({ kind: 'folder', name: path });
   }
 
-  /** Calls `listener` when an asset is registered, loaded, removed or fails. @returns a function that ends it */
+  /** Calls `listener` when an asset is registered, loaded, removed or fails. @returns a function that removes the listener */
   onChange(listener: (change: AssetChange) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

@@ -32,7 +32,7 @@ export abstract class DerivedAssets extends LoadedAssets {
   /**
    * Loads a mesh and computes its normals in slices, so that the page stays responsive; the result is that of `mesh`.
    * @param signal - cancels the wait, and the work when nobody else waits for it
-   * @throws AssetError (as a rejection) when it is no mesh or cannot be loaded; what the signal was aborted with
+   * @throws AssetError (as a rejection) when it is no mesh or cannot be loaded; the signal's abort reason
    */
   prepareMesh(name: string, creaseAngle = DEFAULT_CREASE, signal?: AbortSignal): Promise<BufferGeometry> {
     const prepare = (): Promise<BufferGeometry> =>

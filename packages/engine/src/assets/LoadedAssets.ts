@@ -148,7 +148,7 @@ export abstract class LoadedAssets extends AssetTable {
   /**
    * The asset, loaded if need be.
    * @param signal - signal of the first caller, which cancels the loading for all callers
-   * @throws AssetError (as a rejection) when the asset is unknown or cannot be loaded; what the signal was aborted with
+   * @throws AssetError (as a rejection) when the asset is unknown or cannot be loaded; the signal's abort reason
    */
   load(name: string, signal?: AbortSignal): Promise<Asset> {
     const source = this.sources.get(name);

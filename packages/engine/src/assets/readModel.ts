@@ -137,7 +137,7 @@ export function modelError(cause: unknown): Error {
 /**
  * Reads a glTF of one file: a GLB, or a .gltf with its data inside. A cancelled read has drawn nothing, so there is no
  * GPU memory to free.
- * @throws Error that says what is wrong with the bytes; what the signal was aborted with
+ * @throws Error that says what is wrong with the bytes; the signal's abort reason
  */
 export async function readModel(bytes: ArrayBuffer, options: ReadOptions = {}): Promise<Model> {
   const { renderer = null, signal } = options;

@@ -20,7 +20,7 @@ class AudioOutput {
     return this.isHeldBack;
   }
 
-  /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that ends it */
+  /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that removes the listener */
   onChange(listener: () => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

@@ -13,7 +13,7 @@ export class Slices {
     return performance.now() > this.end;
   }
 
-  /** Yields to other tasks of the page. @throws what the signal was aborted with */
+  /** Yields to other tasks of the page. @throws the signal's abort reason */
   async next(): Promise<void> {
     const { scheduler } = globalThis as { scheduler?: { yield?(): Promise<void> } };
     await (scheduler?.yield?.() ?? new Promise((resolve) => setTimeout(resolve)));

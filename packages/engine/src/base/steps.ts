@@ -23,7 +23,7 @@ export function runSteps<T>(steps: Steps<T>): T {
 
 /**
  * Runs a computation in slices, between which the page stays responsive.
- * @throws what the signal of `slices` was aborted with
+ * @throws the abort reason of `slices`
  */
 export async function runInSlices<T>(steps: Steps<T>, slices: Slices): Promise<T> {
   for (;;) {

@@ -323,7 +323,7 @@ export class Scene implements GameObjectContainer {
     this.calls.key(event);
   }
 
-  /** Calls `listener` after each edit of structure, fields or settings. @returns a function that ends it */
+  /** Calls `listener` after each edit of structure, fields or settings. @returns a function that removes the listener */
   onChange(listener: (change: SceneChange) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -331,7 +331,7 @@ export class Scene implements GameObjectContainer {
 
   /**
    * Calls `listener` whenever three has brought the world matrices of `three` up to date.
-   * @returns a function that ends it
+   * @returns a function that removes the listener
    */
   onMatricesUpdated(listener: () => void): () => void {
     return this.three.onMatricesUpdated(listener);

@@ -9,7 +9,7 @@ export class SceneRoot extends Scene {
     for (let i = 0; i < this.listeners.length; i++) this.listeners[i]();
   }
 
-  /** Calls `listener` after each update. @returns a function that ends it */
+  /** Calls `listener` after each update. @returns a function that removes the listener */
   onMatricesUpdated(listener: () => void): () => void {
     this.listeners.push(listener);
     return () => {

@@ -10,7 +10,7 @@ import type { PackedObj } from './obj/PackedObj';
  *
  * @param path - of the .obj, .stl or .ply among the files
  * @param signal - cancels the work
- * @throws Error (as a rejection) of one sentence that names the line and what to do; what the signal was aborted with
+ * @throws Error (as a rejection) of one sentence that names the line and what to do; the signal's abort reason
  */
 export async function packObj(files: FileMap, path: string, signal?: AbortSignal): Promise<PackedObj> {
   const { objToGlb } = await import('./obj/objToGlb');

@@ -216,7 +216,7 @@ export const computeCreaseNormals = (geometry: BufferGeometry, creaseAngle = Mat
 /**
  * As `computeCreaseNormals`, computed in slices of 20 ms, so that the page stays responsive.
  * @param signal - cancels the work
- * @throws what the signal was aborted with (as a rejection)
+ * @throws the signal's abort reason (as a rejection)
  */
 export const computeCreaseNormalsInSlices = (
   geometry: BufferGeometry,

@@ -65,7 +65,7 @@ async function checkGeometry(geometry: BufferGeometry, name: string, slices: Sli
  * Checks a loaded model before it is first drawn, in slices, so that the page stays responsive.
  * @param signal - cancels the check
  * @throws Error (as a rejection) of one sentence when a position is not a number or beyond 1e12, or an index is out of
- *   range; what the signal was aborted with
+ *   range; the signal's abort reason
  */
 export async function checkModel(scene: Object3D, signal?: AbortSignal): Promise<void> {
   const slices = new Slices(signal);

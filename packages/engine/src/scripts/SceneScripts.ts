@@ -172,7 +172,7 @@ export class SceneScripts {
 
   /**
    * Calls `listener` when a script is compiled, fails or is removed, and when scripts are switched on or off.
-   * @returns a function that ends it
+   * @returns a function that removes the listener
    */
   onChange(listener: () => void): () => void {
     this.listeners.add(listener);

@@ -30,7 +30,7 @@ const CREASE = Math.PI / 6;
  * one by the crease angle of 30°, as the engine computes them, over the whole file at once, so that no seam shows
  * between groups.
  * @param signal - cancels the work
- * @throws what the signal was aborted with (as a rejection)
+ * @throws the signal's abort reason (as a rejection)
  */
 export async function objMeshes(file: ObjFile, signal?: AbortSignal): Promise<ObjMesh[]> {
   const normals = await completeNormals(file, signal);

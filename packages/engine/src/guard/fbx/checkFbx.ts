@@ -180,7 +180,7 @@ function checkText(bytes: ArrayBuffer, budget: Budget): void {
 /**
  * Checks an FBX before three's loader reads it. The loader writes entries of any name into objects, unpacks arrays of
  * any size, triangulates faces of any number of corners, and adds as many keys to a clip as its angles require.
- * @throws Error (as a rejection) whose message is the reason; what the signal was aborted with
+ * @throws Error (as a rejection) whose message is the reason; the signal's abort reason
  */
 export async function checkFbx(bytes: ArrayBuffer, signal?: AbortSignal): Promise<void> {
   const budget = new Budget(bytes.byteLength);
