@@ -343,7 +343,7 @@ export class Viewer {
     const previous = this.app.scene;
     const pose = keepCamera ? previous.activeCamera?.gameObject.object3D : null;
     const camera = scene.activeCamera?.gameObject;
-    if (!camera) throw new Error(`The scene ${scene.name} has no camera.`);
+    if (!camera) throw new Error(`The scene ${scene.name} has no camera: add one.`);
     if (!camera.getComponent(KeyController)) camera.addComponent(KeyController);
     if (!camera.getComponent(MouseController)) camera.addComponent(MouseController);
     if (pose) camera.transform.modelMatrix = pose.matrixWorld;

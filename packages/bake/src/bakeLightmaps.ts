@@ -162,5 +162,7 @@ export function checkDevice(renderer: WebGLRenderer): void {
     throw new Error('The bake cannot begin: the WebGL context is lost. Bake again once the picture is back.');
   const missing = ['EXT_color_buffer_float', 'EXT_float_blend'].filter((name) => !renderer.extensions.has(name));
   if (missing.length === 0) return;
-  throw new Error(`This device cannot bake: its WebGL2 has no ${missing.join(' and no ')}.`);
+  throw new Error(
+    `This device cannot bake: its WebGL2 has no ${missing.join(' and no ')}. Use another browser or device.`,
+  );
 }

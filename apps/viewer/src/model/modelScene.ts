@@ -51,7 +51,8 @@ export function modelScene(
   assets: AssetLibrary,
 ): Scene {
   const bounds = new Box3().setFromObject(gltf.scene, true);
-  if (bounds.isEmpty()) throw new Error(t('{name}: there is nothing to see in it: its scene has no mesh.', { name }));
+  if (bounds.isEmpty())
+    throw new Error(t('{name}: its scene has no mesh, so there is nothing to see: choose another file.', { name }));
   const sphere = bounds.getBoundingSphere(new Sphere());
   sphere.radius = Math.max(sphere.radius, 1e-3);
 

@@ -11,7 +11,7 @@ import type { Session } from './Session';
 export function removeSelected({ commands, topmost: objects, camera }: Session): void {
   if (objects.length === 0) return;
   for (let above: Object3D | null = camera; above; above = above.parent) {
-    if (objects.includes(above)) throw new Error(t('The page is drawn from this camera: it cannot be deleted.'));
+    if (objects.includes(above)) throw new Error(t('The page is drawn from this camera: delete other objects.'));
   }
   const selection = { done: [], undone: objects };
   commands.run(new PlaceObjects(countLabel(t('Deleted'), objects), 'remove', objects.map(placementOf), selection));

@@ -1,6 +1,7 @@
 import type { WebGLRenderer } from 'three';
 import type { Rows } from './FullscreenPass';
 import { keepState } from './keepState';
+import { CONTEXT_LOST } from './untilLoss';
 
 /** Work drawn in slices: all rows of a target, once for each batch. */
 export interface SlicedWork {
@@ -84,11 +85,11 @@ export class Slices {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;
     for (;;) {
       await pause();
-      if (fence === null || gl.isContextLost()) throw new Error('The bake ended: the WebGL context was lost.');
+      if (fence === null || gl.isContextLost()) throw new Error(CONTEXT_LOST);
       this.signal?.throwIfAborted();
       const state = gl.clientWaitSync(fence, 0, 0);
       // the fence belongs to a context that was lost and restored
-      if (state === gl.WAIT_FAILED) throw new Error('The bake ended: the WebGL context was lost.');
+      if (state === gl.WAIT_FAILED) throw new Error(CONTEXT_LOST);
       if (state === gl.ALREADY_SIGNALED || state === gl.CONDITION_SATISFIED) break;
     }
     gl.deleteSync(fence);

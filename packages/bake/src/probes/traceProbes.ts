@@ -47,7 +47,9 @@ export async function traceProbes(renderer: WebGLRenderer, slices: Slices, trace
   // null while the context is lost
   const targets = gl.getParameter((gl as WebGL2RenderingContext).MAX_DRAW_BUFFERS) as number | null;
   if (targets !== null && targets < TARGETS) {
-    throw new Error(`This device cannot bake probes: it draws to fewer than ${TARGETS} targets at once.`);
+    throw new Error(
+      `This device cannot bake probes: it draws to fewer than ${TARGETS} targets at once. Leave the probes out.`,
+    );
   }
   const { points, table, sky } = trace;
   const count = points.length / 3;

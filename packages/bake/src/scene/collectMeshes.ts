@@ -48,15 +48,16 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
   };
   if ('isBatchedMesh' in mesh) return skip('batched meshes have one set of UVs for all their parts; use meshes');
   const { position } = mesh.geometry.attributes;
-  if (!position) return skip('its geometry has no positions');
+  if (!position) return skip('its geometry has no positions; give it some');
   if (!isReadable(mesh)) return skip('its vertices are on the GPU alone; keep their arrays until it is baked');
   for (let i = 0; i < position.count; i++) {
     if (Number.isFinite(position.getX(i) + position.getY(i) + position.getZ(i))) continue;
-    return skip(`the position of its vertex ${i} is not a number`);
+    return skip(`the position of its vertex ${i} is not a number; correct it`);
   }
-  if (!mesh.matrixWorld.elements.every(Number.isFinite)) return skip('its position is not a number');
+  if (!mesh.matrixWorld.elements.every(Number.isFinite)) return skip('its position is not a number; correct it');
   const index = readIndex(mesh.geometry);
-  if (index.some((vertex) => vertex >= position.count)) return skip('its index names a vertex that does not exist');
+  if (index.some((vertex) => vertex >= position.count))
+    return skip('its index names a vertex that does not exist; correct it');
   const surfaces = readSurfaces(mesh, index.length);
   if (surfaces.length === 0) return skip('it has no triangles');
   const isInstanced = 'isInstancedMesh' in mesh;

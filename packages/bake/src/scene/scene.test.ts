@@ -64,9 +64,9 @@ describe('collectMeshes', () => {
       options,
     );
     expect(options.warnings).toEqual([
-      'Mesh “A” is not baked: its geometry has no positions.',
-      'Mesh “B” is not baked: the position of its vertex 2 is not a number.',
-      'Mesh “C” is not baked: its index names a vertex that does not exist.',
+      'Mesh “A” is not baked: its geometry has no positions; give it some.',
+      'Mesh “B” is not baked: the position of its vertex 2 is not a number; correct it.',
+      'Mesh “C” is not baked: its index names a vertex that does not exist; correct it.',
       'Mesh “D” is not baked: it has no triangles.',
       'Mesh “E” gets no lightmap: its instances share one set of UVs. They cast shadows and reflect light; use single meshes to have them lit.',
       'Mesh “G” is not baked: its vertices are on the GPU alone; keep their arrays until it is baked.',

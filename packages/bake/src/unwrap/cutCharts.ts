@@ -32,7 +32,8 @@ export function cutCharts(xatlas: XAtlasModule, { positions, normals, index }: S
   const atlas = xatlas.createAtlas();
   try {
     const error = atlas.addMesh({ positions, indices: index, ...(normals ? { normals } : {}) });
-    if (error !== 0) throw new Error(`A mesh cannot be unwrapped: ${xatlas.addMeshErrorString(error)}.`);
+    if (error !== 0)
+      throw new Error(`A mesh cannot be unwrapped (${xatlas.addMeshErrorString(error)}): correct its index.`);
     const area = surfaceArea(positions, index);
     const triangles = index.length / 3;
     // growing a chart takes quadratic time in its triangles

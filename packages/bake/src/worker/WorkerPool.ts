@@ -49,7 +49,7 @@ export class WorkerPool {
         const { signal } = answered;
         worker.addEventListener(
           'error',
-          ({ message }) => reject(new Error(`A worker of the bake failed: ${message}`)),
+          ({ message }) => reject(new Error(`A worker of the bake failed (${message}): bake again.`)),
           { signal },
         );
         worker.addEventListener(

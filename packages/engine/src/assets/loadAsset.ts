@@ -38,7 +38,7 @@ export async function fetchBytes(
   } catch (cause) {
     const refuses = isLimited ? ', refuses other pages,' : staysHere ? ',' : '';
     const reason = refuses && `${refuses} or sends on to another address`;
-    throw new Error(`${address} cannot be reached${reason}.`, { cause });
+    throw new Error(`${address} cannot be reached${reason}: check the address.`, { cause });
   }
   if (!response.ok) throw new Error(`${address} answered ${response.status} ${shortText(response.statusText)}`.trim());
   return response.arrayBuffer();

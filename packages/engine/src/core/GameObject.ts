@@ -174,7 +174,9 @@ export class GameObject implements GameObjectContainer {
    */
   remove(child: GameObject): this {
     if (child.container !== this)
-      throw new Error(`'${shortText(child.name)}' is not a child of '${shortText(this.name)}'.`);
+      throw new Error(
+        `'${shortText(child.name)}' is not a child of '${shortText(this.name)}': call remove of its parent.`,
+      );
     moveGameObject(child, null, undefined, { keepWorld: false });
     return this;
   }
@@ -206,7 +208,9 @@ export class GameObject implements GameObjectContainer {
     const registry = this.scene?.registry ?? builtinComponents;
     const component = typeof type === 'string' ? registry.create(type) : typeof type === 'function' ? new type() : type;
     if (component.isAttached)
-      throw new Error(`This ${component.typeName} is on '${shortText(component.gameObject.name)}' already.`);
+      throw new Error(
+        `This ${component.typeName} is on '${shortText(component.gameObject.name)}' already: remove it there first.`,
+      );
     if (component.componentClass.unique && this.getComponent(component.typeName)) {
       throw new Error(
         `'${shortText(this.name)}' has a ${component.typeName} already: change that one, or remove it first.`,
@@ -230,8 +234,9 @@ export class GameObject implements GameObjectContainer {
    */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
-    if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
-    if (component === this.transform) throw new Error('The Transform cannot be removed.');
+    if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}': give one that is.`);
+    if (component === this.transform)
+      throw new Error('The Transform cannot be removed: dispose of the object instead.');
     this.scene?.componentLeaves(component);
     component.detach();
     this.componentList.splice(index, 1);
@@ -246,7 +251,10 @@ export class GameObject implements GameObjectContainer {
   /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
-    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved: it is the Transform, or elsewhere.`);
+    if (from < 1)
+      throw new Error(
+        `This ${component.typeName} cannot be moved: give one of '${shortText(this.name)}', not the Transform.`,
+      );
     this.componentList.splice(from, 1);
     this.componentList.splice(Math.min(Math.max(index, 1), this.componentList.length), 0, component);
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });

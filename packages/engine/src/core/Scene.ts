@@ -323,7 +323,7 @@ export class Scene implements GameObjectContainer {
     this.calls.key(event);
   }
 
-  /** Calls `listener` after each edit of structure, fields or settings. @returns a function that removes the listener */
+  /** Calls `listener` after each edit of structure, fields or settings. @returns function that removes the listener */
   onChange(listener: (change: SceneChange) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

@@ -201,7 +201,7 @@ test('an address beside the page that a scene names is not followed to another p
     await assets.load(name).catch((error: Error) => said.push(error.message));
   vi.unstubAllGlobals();
   expect(asked.map(([, redirect]) => redirect)).toEqual([undefined, 'error', 'error']);
-  expect(said[1]).toMatch(/cannot be reached, or sends on to another address\.$/);
+  expect(said[1]).toMatch(/cannot be reached, or sends on to another address: check the address\.$/);
 });
 
 test('a model of which parts alone are used stays in the file', async () => {

@@ -14,7 +14,8 @@ import { planPrefabChange, type PrefabPlan } from './planPrefabChange';
 function prefabOf(root: GameObject | null): { root: GameObject; prefab: Prefab } {
   const id = root?.prefabLink?.prefab ?? '';
   const prefab = root?.scene?.prefabs.get(id);
-  if (!root || !prefab) throw new PrefabError(id, 'is not in the scene, or the object is not an instance of it.');
+  if (!root || !prefab)
+    throw new PrefabError(id, 'is not in the scene, or the object is not an instance of it: choose an instance.');
   return { root, prefab };
 }
 

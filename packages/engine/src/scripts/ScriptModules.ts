@@ -58,7 +58,7 @@ export class ScriptModules {
     const known = this.modules.get(name);
     if (known) return known;
     const run = this.functionOf(name);
-    if (!run) throw new ScriptError(name, 'there is no such script.');
+    if (!run) throw new ScriptError(name, 'there is no such script: create it, or correct the name.');
     const imports = new Set<string>();
     const holder: { exports: Record<string, unknown> } = { exports: {} };
     this.running.push(name);

@@ -85,7 +85,7 @@ function parseJson(bytes: ArrayBuffer): unknown {
   try {
     return JSON.parse(new TextDecoder().decode(bytes));
   } catch (error) {
-    throw new Error(`its JSON cannot be read: ${shortText((error as Error).message, 160)}`, {
+    throw new Error(`its JSON cannot be read (${shortText((error as Error).message, 160)}): export it again.`, {
       cause: error,
     });
   }
