@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { Slices } from './Slices';
 import { untilLoss } from './untilLoss';
 
-/** A renderer whose fences are never reached, as those of a context that was lost and is back. */
+/** A renderer whose fences never signal, as after a lost and restored context. */
 function rendererOf(): WebGLRenderer & { domElement: EventTarget } {
   const gl = {
     fenceSync: () => ({}),

@@ -131,7 +131,7 @@ describe('collectLights', () => {
 });
 
 describe('mergeTriangles', () => {
-  /** Directions of the faces by their corners, and the normals of their first corners, of all triangles. */
+  /** Face directions by corners, and normals of first corners, of all triangles. */
   function facesOf(...objects: Object3D[]): { faces: number[][]; normals: number[][]; count: number } {
     const meshes = collectMeshes(sceneOf(...objects), testOptions());
     const { positions, normals, count } = mergeTriangles(
@@ -187,7 +187,7 @@ describe('mergeTriangles', () => {
       const values = [...positions].filter((_, i) => i % 3 === axis);
       return [Math.min(...values), Math.max(...values)];
     });
-    // copies at 0 and 5, sides of 1, all of it twice as large
+    // instances at 0 and 5, sides of 1, everything scaled by 2
     expect(bounds).toEqual([
       [-1, 11],
       [39, 41],
