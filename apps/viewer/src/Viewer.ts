@@ -32,8 +32,8 @@ import { ViewerEffects } from './ViewerEffects';
 const LONG = 1000;
 
 /**
- * The thesis's App: a scene over the whole page, drawn by any technique. Its state is in the address of the page and
- * changes with the address, by the menu, or by these methods, which tests and benchmarks call as `window.viewer`.
+ * The thesis's App: a scene over the whole page, drawn by any technique. Its state is in the page's address; the
+ * address, the menu and these methods change it. Tests and benchmarks call the methods on `window.viewer`.
  *
  * With a fixed time (`?time=`) nothing moves and no loop runs: each call that changes the picture draws one frame.
  */

@@ -15,7 +15,7 @@ export class Signal<Details extends readonly unknown[] = []> {
     return this.changes;
   }
 
-  /** Counts a change and tells the listeners. */
+  /** Counts a change and calls the listeners. */
   readonly emit = (...details: Details): void => {
     this.changes++;
     const told = (this.snapshot ??= [...this.listeners]);

@@ -14,7 +14,7 @@ export interface Answer {
   readonly isError?: boolean;
 }
 
-/** Longest time that a call may take (ms). */
+/** Time limit of a call (ms). */
 const PATIENCE = 120_000;
 
 /** Maximum size of an answer (bytes): a scene as text. */

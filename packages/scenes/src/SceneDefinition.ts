@@ -1,7 +1,7 @@
 import { checkFieldValue, FieldError, type FieldTable, type FieldValue } from '@farol/editing/fields';
 import type { AssetLibrary, Scene } from '@farol/engine';
 
-/** Options that every builder of a scene takes besides its own parameters. */
+/** Options of every scene builder, besides its own parameters. */
 export interface SceneBuildOptions {
   /** Library of meshes and textures; the scene makes one of its own when absent. */
   assets?: AssetLibrary;

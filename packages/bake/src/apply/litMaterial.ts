@@ -10,8 +10,8 @@ export interface LitMaterial {
 /**
  * A material that inherits every property of its source, live, and has a lightmap. Nothing is written to the source.
  *
- * @param skyOf - scene whose environment is baked into the lightmap, so that the material shows only its mirror
- *   reflection; null when it is not baked
+ * @param skyOf - scene whose environment is baked into the lightmap, so the material adds only the mirror reflection of
+ *   it; null when it is not baked
  */
 export function litMaterial(source: AnyMaterial, texture: Texture, skyOf: Scene | null): LitMaterial {
   const lit = Object.create(source) as MeshStandardMaterial;

@@ -144,7 +144,7 @@ export class LightmapFilters {
 
   /**
    * Shows the lightmap with the samples so far.
-   * @param samples - samples that the stage has taken so far
+   * @param samples - number of samples of the stage so far
    */
   showSoFar(lightmap: number, stage: Stage, samples: number): void {
     const { shared, renderer } = this;

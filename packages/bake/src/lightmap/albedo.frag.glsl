@@ -1,4 +1,4 @@
-// Share of the light that a surface reflects in all directions, or what it emits
+// Diffuse albedo of a surface, or its emitted radiance
 // three.js, lights_physical_fragment
 in vec2 farol_mapUV;
 in vec2 farol_emissiveUV;

@@ -1,6 +1,7 @@
-// Low-discrepancy points whose union over neighbouring texels is one as well, and directions and places made of them
-// Ahmed and Wonka 2020, Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of
-// Pixels; Burley 2020, Practical Hash-based Owen Scrambling; Jarzynski and Olano 2020, Hash Functions for GPU Rendering
+// Low-discrepancy points, also over neighbouring texels together, and directions and positions made from them
+// Ahmed and Wonka 2020, Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering
+// of Pixels; Burley 2020, Practical Hash-based Owen Scrambling; Jarzynski and Olano 2020, Hash Functions for GPU
+// Rendering
 uniform uint farol_seed;
 uniform uint farol_stride; // samples per texel, rounded up to a power of 2
 

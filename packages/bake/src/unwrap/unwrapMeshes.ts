@@ -13,7 +13,7 @@ export interface Unwrapper {
   ): Promise<Unwrapped>;
 }
 
-/** Share of the unwrapping time that cutting into charts takes. */
+/** Share of the progress that cutting into charts counts for. */
 const CUTTING = 0.7;
 
 /**

@@ -47,7 +47,7 @@ function withoutNote(english: string): string {
 }
 
 /**
- * Text for a number of things, with one form for 1 and one for all other counts. `{count}` is filled in.
+ * Translated text with a count, in one form for 1 and another for all other counts. `{count}` is the placeholder.
  * @param one - for a count of 1, such as '{count} light'
  * @param many - for any other, such as '{count} lights'
  */

@@ -5,7 +5,7 @@ import { sizeOfField } from './TrackCurve';
 
 /**
  * Target of clips: a field of a component, or a property of a node of a model. The value of several clips at once is
- * their weighted mean; where weights sum to less than 1, the original value fills the rest.
+ * their weighted mean; if their weights sum to less than 1, the original value has the remaining weight.
  */
 export interface Channel {
   /** Frame in which the channel last got a value. */
@@ -21,7 +21,7 @@ export interface Channel {
   addStep(value: FieldValue, weight: number): void;
   /**
    * Writes the blended value to the target.
-   * @throws FieldError when the field refuses the value; the channel is gone then
+   * @throws FieldError when the field refuses the value; `isGone` is true then
    */
   apply(): void;
   /** Restores the value that the animated field or node had before. */

@@ -128,8 +128,8 @@ function channelsOfNode(
 }
 
 /**
- * Binds the tracks of a model's clip: to nodes of the model where it is drawn whole, else to objects of the same names
- * and renderers of its parts, or to nodes of another model with the same names.
+ * Binds the tracks of a model's clip: to nodes of the model if it is drawn whole, else to objects of the same names and
+ * to drawn parts, or to nodes of the same names in another model.
  * @param drawn - renderers of the clip's model, or of any model, below the object: see `modelsBelow`
  */
 export function bindModelClip(

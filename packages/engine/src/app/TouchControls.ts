@@ -56,8 +56,8 @@ export class TouchControls {
 
   /**
    * @param canvas - the canvas whose pointer events go to the scene
-   * @param parent - positioned element, as large as the canvas, over which the controls are laid
-   * @param getScene - gives the scene that is played
+   * @param parent - positioned element of the canvas's size, which gets the controls
+   * @param getScene - returns the scene that is played
    * @param jumpLabel - text of the jump button
    */
   constructor(

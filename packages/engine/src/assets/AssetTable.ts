@@ -71,7 +71,7 @@ export abstract class AssetTable {
     return (source && 'partOf' in source && source.partOf) || null;
   }
 
-  /** The assets that came with a model. */
+  /** Names of the assets that are parts of a model. */
   partsOf(name: string): string[] {
     return [...(this.parts.get(name) ?? [])].filter((part) => this.modelOf(part) === name);
   }

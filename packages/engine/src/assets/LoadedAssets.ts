@@ -21,11 +21,11 @@ import { AssetTable, sample } from './AssetTable';
 
 /** Options of the constructor of AssetLibrary. */
 export interface AssetLibraryOptions {
-  /** Addresses of new assets by name, their type told by the ending of the address. */
+  /** Addresses of new assets by name; the extension of an address gives the type. */
   urls?: Readonly<Record<string, string>>;
   /** Reads the bytes of an address; `fetch` when absent. */
   fetchBytes?: FetchBytes;
-  /** Renderer of the assets; asked only for the compressed texture formats of its device. */
+  /** Renderer whose device's compressed texture formats are used; nothing is drawn with it. */
   renderer?: WebGLRenderer;
 }
 
@@ -79,7 +79,7 @@ export abstract class LoadedAssets extends AssetTable {
   }
 
   /**
-   * Adds an asset that code makes when it is first needed; it counts as built in.
+   * Adds an asset that `make` creates on first use; it counts as built in.
    * @throws AssetError when the name is taken
    */
   registerMaker(name: string, type: AssetType, make: () => Asset): this {
@@ -92,7 +92,7 @@ export abstract class LoadedAssets extends AssetTable {
   /**
    * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, IES,
    * sounds).
-   * @throws AssetError when the name is taken, or the type cannot be told
+   * @throws AssetError when the name is taken, or the type is unknown
    */
   registerUrl(name: string, url: string, type: AssetType | null = typeOfUrl(url)): this {
     this.checkFree(name);

@@ -1,11 +1,11 @@
 import { shortText } from '@farol/editing';
 import { AssetError } from './AssetError';
 
-/** Base of relative addresses where there is no page, as in Node. */
+/** Base of relative addresses without a page, as in Node. */
 const NOWHERE = 'http://here.invalid/';
 
 /**
- * The origin of an address that leads away from the page: 'https://example.com', or scheme and host where there is no
+ * The origin of an address, if it differs from the page's: 'https://example.com', or scheme and host if there is no
  * origin, 'file://server'. Null for the page's own origin, `data:`, `blob:` and invalid addresses.
  * @param base - address of the page; the document's when absent
  */

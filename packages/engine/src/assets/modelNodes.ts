@@ -2,7 +2,7 @@ import type { Object3D } from 'three';
 
 /** Nodes of a model that are drawn together, and the node that they are placed by. */
 export interface ModelSubtree {
-  /** The node itself where there is one, else the nearest node above all of them. */
+  /** The node itself if there is one, else the nearest common ancestor. */
   readonly root: Object3D;
   /** Chosen nodes of a model; none is below another one. */
   readonly nodes: readonly Object3D[];

@@ -12,7 +12,7 @@ import { Model } from './Model';
 import type { LightsIes } from './lightsIes';
 import { binaryOf, type GltfJson, lightProfilesOf, LIGHTS_IES, readGltfJson } from '../guard/gltf/readGltfJson';
 
-/** A GLTFLoader with the decoders that a file asks for; each is fetched when a file first uses it. */
+/** Makes a GLTFLoader with the decoders that a file needs; each is fetched on first use. */
 async function loaderFor(
   extensions: readonly string[],
   renderer: WebGLRenderer | null,
@@ -116,7 +116,7 @@ export function showWhole({ json }: GLTFParser): { name: string } {
   return { name: 'FAROL_whole_file' };
 }
 
-/** Members of a glTF that tell whether it shows anything. */
+/** Members of a glTF that decide whether it has anything to draw. */
 interface GltfContent {
   readonly meshes?: readonly object[];
   readonly scenes?: readonly object[];

@@ -50,7 +50,7 @@ export function moonIlluminance(elevation: number, phaseAngle: number): number {
   return outside * 10 ** (-0.4 * 0.172 * airMass(elevation)) * above(elevation);
 }
 
-/** Colour temperature (K) of sunlight, about: 2,000 at the horizon, 5,700 when it stands high. */
+/** Approximate colour temperature (K) of sunlight: 2,000 at the horizon, 5,700 high in the sky. */
 export const sunKelvin = (elevation: number): number =>
   2000 + 3700 * (1 - Math.exp(-Math.max(0, elevation) / (12 * RADIANS)));
 

@@ -74,7 +74,7 @@ export class SceneAudio implements SceneSystem {
     for (let i = 0; i < sources.length; i++) if (sources[i].isPlaying) this.hear(sources[i], listener);
   }
 
-  /** Silences all voices; the next `update` restarts them at the position that the scene's time gives. */
+  /** Silences all voices; the next `update` restarts them at the position for the scene's time. */
   pause(): void {
     for (const source of this.voices.keys()) this.silence(source);
   }
@@ -90,7 +90,7 @@ export class SceneAudio implements SceneSystem {
     this.listener = null;
   }
 
-  /** Whether a source has come to the end of its sound, heard or not. */
+  /** Whether a source has reached the end of its sound, heard or not. */
   private isAtEnd(source: HeardSource): boolean {
     if (source.loop) return false;
     const buffer = bufferOf(source, this.scene.assets);

@@ -16,7 +16,9 @@ const without: Readonly<Record<string, readonly string[]>> = {
   ],
 };
 
-/** Fields of a Light that older bakes did not know: left out where it does not use them, so that those bakes stay valid. */
+/**
+ * Omits fields of a Light that older bakes did not have if the light does not use them, so that those bakes stay valid.
+ */
 function withoutUnused(light: Light, values: Record<string, FieldValue>): void {
   if (light.colourBy === 'temperature') return;
   delete values.colourBy;

@@ -15,7 +15,7 @@ const size = new Vector3();
 /**
  * Grid of probes for a scene: a box around all static meshes.
  * @param spacing - smallest distance between probes (m)
- * @returns null where nothing is static
+ * @returns null when nothing is static
  */
 export function probeBox(meshes: readonly BakeMesh[], spacing: number): ProbeBox | null {
   box.makeEmpty();

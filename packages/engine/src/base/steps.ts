@@ -3,7 +3,7 @@ import type { Slices } from './Slices';
 /** Elements processed per step: about a millisecond of work. */
 const STEP = 8192;
 
-/** A long computation that stops for a moment after each step; what it returns is the result. */
+/** A long computation that yields after each step; its return value is the result. */
 export type Steps<T> = Generator<void, T, void>;
 
 /** Runs a loop over `count` elements in steps. @param run - processes elements `from` to `to` - 1 */

@@ -9,8 +9,8 @@ import { PhysicsSystem } from '../physics/PhysicsSystem';
 import { box, ground, makeScene, prepare } from '../components/testing/physicsScene';
 
 /**
- * Time of a step of physics with 1,000 dynamic boxes and 500 moving lights: Rapier's own, and the engine's beside it.
- * `npx vitest bench --run --config packages/vitest.config.ts physics`
+ * Time of a physics step with 1,000 dynamic boxes and 500 moving lights: of Rapier, and of the engine besides. `npx
+ * vitest bench --run --config packages/vitest.config.ts physics`
  */
 const median = (times: readonly number[]): number => times.toSorted((a, b) => a - b)[Math.floor(times.length / 2)];
 

@@ -84,7 +84,10 @@ export class Camera extends component({
     return this.three.projectionMatrix.clone();
   }
 
-  /** Turns the camera to `target`; with two arguments puts it at the first, looking at the second. See Transform.lookAt. */
+  /**
+   * Turns the camera to `target`; with two arguments it is moved to the first and faces the second. See
+   * Transform.lookAt.
+   */
   lookAt(...args: Parameters<Transform['lookAt']>): void {
     this.gameObject.transform.lookAt(...args);
     this.updateViewMatrix();
@@ -98,7 +101,7 @@ export class Camera extends component({
   /**
    * Sets a perspective projection.
    * @param fov - vertical field of view in radians
-   * @param aspect - width over height; null takes the canvas's
+   * @param aspect - width over height; null for the canvas's
    * @param near - metres, above 0
    * @param far - metres, above `near`
    */
@@ -111,7 +114,7 @@ export class Camera extends component({
     this.far = far;
   }
 
-  /** Tells the camera the size of the canvas, in any unit; not an edit. */
+  /** Sets the size of the canvas, in any unit, for the aspect ratio; not an edit. */
   setViewport(width: number, height: number): void {
     const aspect = width > 0 && height > 0 ? width / height : 1;
     if (aspect === this.canvasAspect) return;

@@ -50,8 +50,9 @@ function followSoftness(scene: Scene): void {
 
 /**
  * Lets a GameObject light the scene. It owns a three light below the object's object3D. Directional and spot lights,
- * rectangles and discs shine along the object's front (-Z); a tube lies along its X. What three's lights cannot say,
- * the thesis's attenuations, extra colours and shapes, goes to `three.userData.farol`, which @farol/renderer reads.
+ * rectangles and discs shine along the object's front (-Z); a tube lies along its X. Properties that three's lights
+ * lack (the thesis's attenuations, extra colours and shapes) are in `three.userData.farol`, which @farol/renderer
+ * reads.
  */
 export class Light extends component(lightFields) {
   static override readonly typeName: string = 'Light';

@@ -62,8 +62,8 @@ function aimCopy(model: Model, from: Light, to: Light, copies: ReadonlyMap<Objec
 
 /**
  * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips.
- * The weight of a morph target is a field, such as 'morph.Smile', which clips of one's own animate too. Geometries,
- * materials and textures are those of the asset, however often it is placed.
+ * The weight of a morph target is a field, such as 'morph.Smile', which clip assets can animate too. All renderers of a
+ * model share its geometries, materials and textures.
  */
 export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),

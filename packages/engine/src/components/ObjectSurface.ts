@@ -22,8 +22,7 @@ type Bounded = Mesh & { boundingSphere?: Sphere | null };
 
 /**
  * Surface that a component puts on top of its meshes' materials. Objects of one material, surface and values share a
- * material; while simulation changes a value, the object has a material of its own, whose uniforms are written and
- * nothing else.
+ * material; while simulation changes a value, the object has a material of its own, so that only uniforms are written.
  */
 export class ObjectSurface implements LayerUser {
   readonly views: StoredViews;

@@ -117,7 +117,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter) return;
     this.followSurface();
     this.followColliders();
-    // the scene was put back to an earlier time
+    // the scene's time was set back
     if (time < this.beganAt) this.beganAt = time;
     const due = time - this.beganAt;
     if (Math.abs(emitter.time + deltaSeconds - due) < SAME_TIME) {
@@ -125,7 +125,7 @@ export class ParticleEmitter extends component(particleFields) {
       if (deltaSeconds > 0) emitter.step(deltaSeconds);
       return;
     }
-    // a jump in time: shown while nothing played, or the scene was moved to that time
+    // the time jumped: the emitter was previewed before, or the scene was moved to a time
     emitter.restart();
     if (due > 0) emitter.step(due);
   }

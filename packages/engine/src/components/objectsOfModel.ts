@@ -83,10 +83,10 @@ const instancePlace = new Vector3();
 const instanceScale = new Vector3();
 
 /**
- * Makes GameObjects of a model that is drawn as the model is: meshes with the parts of the model in the library,
- * materials made of fields, lights and cameras, an object for each instance of a mesh. Parts that `keptTogether`
- * returns stay one object each, with a ModelRenderer that draws these `parts` of the model.
- * @param name - of the model in the library, where it is loaded
+ * Makes GameObjects that look like a model: meshes with the parts of the model in the library, materials made of
+ * fields, lights and cameras, an object for each instance of a mesh. Parts that `keptTogether` returns stay one object
+ * each, with a ModelRenderer that draws these `parts` of the model.
+ * @param name - name of the loaded model in the library
  */
 export function objectsOfModel(
   model: Model,

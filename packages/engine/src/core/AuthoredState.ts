@@ -44,8 +44,8 @@ const recordOf = (object: GameObject): ObjectRecord => ({
 const staysAsTyped = (type: string): boolean => type === 'script' || type === 'surface';
 
 /**
- * State of a scene at a moment, from which all later changes by code can be undone: objects and components
- * that come, go or move, their names and switches, and fields that are set. Edits of scripts are not taken back.
+ * State of a scene at a moment, from which all later changes by code can be undone: added, removed and moved objects
+ * and components, names, switches and fields. Edits of scripts are not undone.
  */
 export class AuthoredState {
   private readonly objects = new Map<GameObject, ObjectRecord>();

@@ -21,7 +21,7 @@ export class ComponentRegistry {
 
   private readonly classes = new Map<string, ComponentClass>();
 
-  /** @param classes - types to begin with, such as those of another registry */
+  /** @param classes - initial types, such as those of another registry */
   constructor(classes: Iterable<ComponentClass> = [], { keepUnknown = false }: ComponentRegistryOptions = {}) {
     this.keepsUnknown = keepUnknown;
     for (const each of classes) this.register(each);

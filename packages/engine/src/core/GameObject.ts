@@ -119,7 +119,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'locked' });
   }
 
-  /** Whether the object never moves: a bake gives its meshes lightmaps. Children have flags of their own. */
+  /** Whether the object never moves, so that its meshes get baked lightmaps. Children have flags of their own. */
   get isStatic(): boolean {
     return this.staysInPlace;
   }
@@ -184,8 +184,8 @@ export class GameObject implements GameObjectContainer {
   /**
    * Moves the object below another, or to the top of a scene.
    * @param index - place among the new siblings; at the end when absent
-   * @param options - `keepWorld` (default true): it stays where it is in the world. Under a parent with unequal scales
-   * a rotated object would need shear, which a Transform cannot hold: it then comes as near as it can.
+   * @param options - `keepWorld` (default true): it keeps its pose in the world. Under a parent with unequal scales a
+   *   rotated object would need shear, which a Transform cannot represent; the nearest pose is used.
    * @throws Error when the new parent is the object itself or below it; nothing has changed then
    */
   reparent(parent: GameObject | Scene, index?: number, options: MoveOptions = {}): void {
@@ -243,7 +243,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
   }
 
-  /** @internal Puts a component in another's place in the list, and nothing more. */
+  /** @internal Replaces a component by another one in the list, without any calls. */
   putInPlace(component: Component, other: Component): void {
     this.componentList[this.componentList.indexOf(component)] = other;
   }
@@ -315,7 +315,7 @@ export class GameObject implements GameObjectContainer {
     for (const child of this.childList) child.traverse(visit);
   }
 
-  /** The first object with this id, else with this name, among this one and all below it; null when there is none. */
+  /** The first object with this id, else with this name, among this object and its descendants; null for none. */
   find(nameOrId: string): GameObject | null {
     let byName: GameObject | null = null;
     let byId: GameObject | null = null;

@@ -153,7 +153,7 @@ export class Scene implements GameObjectContainer {
     return this.wasSimulated;
   }
 
-  /** Grows by one with each edit; simulation leaves it as it is. */
+  /** Counter of edits; simulation does not change it. */
   get revision(): number {
     return this.edits;
   }
@@ -226,7 +226,7 @@ export class Scene implements GameObjectContainer {
     this.calls.lateUpdate(deltaSeconds, this.seconds);
   }
 
-  /** The system of a class, made when it is first asked for: see `SceneSystem`. */
+  /** The system of a class, made on first use: see `SceneSystem`. */
   system<T extends SceneSystem>(type: SceneSystemClass<T>): T {
     return this.systems.get(type);
   }
@@ -352,7 +352,7 @@ export class Scene implements GameObjectContainer {
     if (this.ownsAssets) this.assets.dispose();
   }
 
-  /** @internal Counts an edit and tells the listeners. */
+  /** @internal Counts an edit and calls the listeners. */
   notify(change: SceneChange): void {
     this.edits++;
     this.authored?.note(change);

@@ -1,6 +1,6 @@
 import { Scene } from 'three';
 
-/** The three scene of a Scene: tells when three has brought its world matrices up to date. */
+/** The three scene of a Scene: notifies listeners when three has updated its world matrices. */
 export class SceneRoot extends Scene {
   private readonly listeners: (() => void)[] = [];
 

@@ -15,7 +15,7 @@ const UP: Vector3Tuple = [0, 1, 0];
 /**
  * Position, rotation and scale of a GameObject, which has exactly one. The fields are relative to the parent; `get`
  * gives the present values, `getAuthored` those before simulation moved the object. Its methods are edits: they change
- * the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
+ * the authored values. Front is the object's -Z axis, as for three's cameras and spot lights.
  */
 export class Transform extends component({
   position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Position relative to the parent.' }),
@@ -138,7 +138,7 @@ export class Transform extends component({
   /** Turns the front to a point of the world. */
   lookAt(target: Vector3Input): void;
   /**
-   * Puts the object at `eye` (in the world) and turns its front to `target`.
+   * Moves the object to `eye` (world space) and turns its front to `target`.
    * @param up - direction that the top (+Y) turns towards; [0, 1, 0] when absent
    */
   lookAt(eye: Vector3Input, target: Vector3Input, up?: Vector3Input): void;

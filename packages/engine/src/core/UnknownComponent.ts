@@ -6,8 +6,8 @@ import type { ComponentClass, ComponentData } from './ComponentClass';
 const data: FieldType = { name: 'data', allows: 'a number, text, true, false, null or [x, y, z]', check: () => true };
 
 /**
- * A component of an unknown class: does nothing, and keeps and saves data that came from a file or a class removed from
- * the registry. Each has a class of its own, whose fields are those named in the data.
+ * A component of an unknown class: does nothing, but keeps and saves the data from a file, or from a class removed from
+ * the registry. Each has a class of its own, with the fields of its data.
  */
 export abstract class UnknownComponent extends Component {
   static override readonly help: string = 'The script or plugin of this component is missing: its data are kept.';

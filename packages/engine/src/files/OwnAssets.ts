@@ -12,7 +12,7 @@ export class OwnAssets {
     this.byName = new Map(assets.map((asset) => [asset.name, asset]));
   }
 
-  /** Asset of this name, else the model that it may be a part of; null when there is neither. */
+  /** Asset of this name, else the model of which it may be a part; null for neither. */
   find(name: string): FileAsset | null {
     return this.byName.get(name) ?? this.modelOf(name);
   }

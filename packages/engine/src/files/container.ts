@@ -11,7 +11,7 @@ export interface ContainerContent {
   readonly files: ReadonlyMap<string, Blob>;
 }
 
-/** Splits a scene into its file and the assets stored beside it in a container. */
+/** Splits a scene into its JSON file and the asset files of its container. */
 export function containerContent(scene: Scene): ContainerContent {
   const file = serialize(scene);
   const files = new Map<string, Blob>();

@@ -140,8 +140,7 @@ async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions)
  * Makes a scene from a file, completely or not at all. Waits for the assets in use, the normals of their meshes, and
  * the sky.
  * @param file - a FarolFile, JSON text, or parsed JSON; always checked
- * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; what `options.signal` was
- *   aborted with
+ * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; the signal's abort reason
  */
 export async function deserialize(file: unknown, options: DeserializeOptions = {}): Promise<Scene> {
   const { signal } = options;

@@ -9,7 +9,7 @@ export interface HandedScene {
 
 /** `type` of the messages by which one page passes a scene to another. */
 export const handoverMessages = {
-  /** The opened page asks for the scene. */
+  /** Request of the opened page for the scene. */
   wanted: 'farol-scene-wanted',
   /** The scene: with `name` and `bytes`, an ArrayBuffer. */
   scene: 'farol-scene',

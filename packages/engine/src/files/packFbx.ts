@@ -8,8 +8,7 @@ import type { PackedObj } from './obj/PackedObj';
  *
  * @param path - of the .fbx among the files
  * @param signal - cancels the work
- * @throws Error (as a rejection) of one sentence that says what is wrong with the file; what the signal was aborted
- *   with
+ * @throws Error (as a rejection) of one sentence that says what is wrong with the file; the signal's abort reason
  */
 export async function packFbx(files: FileMap, path: string, signal?: AbortSignal): Promise<PackedObj> {
   const { fbxToGlb } = await import('./fbx/fbxToGlb');

@@ -4,9 +4,9 @@ import type { PackedObj } from './obj/PackedObj';
 /**
  * Packs an OBJ, its MTL files and their textures (PNG, JPEG, TGA, and other formats of the browser) into one GLB, which
  * is then read like any model. Textures are found even if case, slashes or folders differ; missing ones are listed in
- * `notes`. Normals that are missing are computed by the crease angle of 30°. Groups become meshes; `gltfOfMtl` says how
- * materials are mapped. An STL or a PLY becomes one grey mesh in the same way, with the colours of its vertices where
- * it has any. Runs in slices, so that the page stays responsive.
+ * `notes`. Missing normals are computed, by a crease angle of 30°. Groups become meshes; `gltfOfMtl` says how materials
+ * are mapped. An STL or a PLY becomes one grey mesh likewise, with vertex colours if it has any. Runs in slices, so
+ * that the page stays responsive.
  *
  * @param path - of the .obj, .stl or .ply among the files
  * @param signal - cancels the work

@@ -164,7 +164,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
   };
 }
 
-/** Uses of assets that neither the library nor the file contains. @param uses - those of the file */
+/** Uses of assets that neither the library nor the file contains. @param uses - all uses in the file */
 export function missingAssets(file: FarolFile, uses: readonly AssetUse[], assets: AssetLibrary): AssetUse[] {
   const own = new OwnAssets(file.assets);
   return uses.filter((use) => !assets.has(use.name) && !own.mayHold(use));

@@ -7,7 +7,7 @@ import type { FileComponent } from './FarolFile';
 import type { PathLike } from './FilePath';
 import { isRecord, join, type JsonRecord, type ProblemList } from './ProblemList';
 
-/** Reads field values: those that a table declares, each of its kind and in its range. */
+/** Reads field values: only those that a table declares, with checks of kind and range. */
 export function readValues(
   value: unknown,
   fields: FieldTable,

@@ -9,7 +9,7 @@ import { savedFields } from '../fields/savedFields';
 import { assetUses } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
 
-/** Options that `serialize` takes besides the scene. */
+/** Options of `serialize`. */
 export interface SerializeOptions {
   /** Library whose asset addresses are written; the scene's when absent. */
   assets?: AssetLibrary;

@@ -6,7 +6,7 @@ export interface Opening {
   readonly top: number;
 }
 
-/** Smallest width of wall left beside and above a hole (m). */
+/** Smallest width (m) of wall at the sides of a hole and above it. */
 const RIM = 0.05;
 
 /** Requested size and position of a hole (m). */

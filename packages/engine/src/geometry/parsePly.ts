@@ -22,7 +22,7 @@ function checkHeader(data: ArrayBuffer): void {
   }
   let left = data.byteLength;
   for (const { name, count, properties } of elements) {
-    // each property takes at least one byte of the file
+    // each property is at least one byte of the file
     left -= /^\d+$/.test(count) ? Number(count) * Math.max(1, properties) : Infinity;
     if (left >= 0) continue;
     throw new Error(

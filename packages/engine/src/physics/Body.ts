@@ -213,8 +213,8 @@ export class Body implements BodyControl {
 
   /**
    * Adds the distance by which the body carried `other` in the last step.
-   * @param other - body that stands on this one
-   * @param way - the way is added to it (m, in the world)
+   * @param other - body on top of this one
+   * @param way - receives the added displacement (m, world space)
    */
   carry(other: Body, way: Vector3): void {
     if (!this.movedInStep) return;

@@ -85,7 +85,7 @@ function dataOf({ JointData: Data }: Rapier, component: JointPart, from: Vector3
 
 /**
  * Makes the joint of a component from the present poses of the two objects.
- * @param partner - null for the world; `ground` then gives a fixed body
+ * @param partner - null for the world; `ground` then returns a fixed body
  */
 export function makeJoint(
   rapier: Rapier,

@@ -14,7 +14,7 @@ export interface MeshPart {
 export interface MeshName {
   readonly type: 'mesh' | 'model';
   readonly name: string;
-  /** Parts of the model, as `subtreeOf` takes them. */
+  /** Parts of the model, in the form of `subtreeOf`. */
   readonly parts: string;
 }
 

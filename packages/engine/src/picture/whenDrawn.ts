@@ -4,7 +4,7 @@ import type { LastPicture } from './LastPicture';
 /** Part of PictureRenderer that {@link whenDrawn} reads. */
 export interface DrawnPicture {
   readonly last: LastPicture;
-  /** Whether the renderer has what its last frame asked for. */
+  /** Promise of the renderer that all code and programs of its last frame are ready. */
   readonly farol: { readonly ready: Promise<void> };
   /** Number of frames until a changed picture is final. */
   readonly effects: { readonly frames: number };

@@ -32,7 +32,7 @@ const DEFAULTS = { speed: 2, turnStep: Math.PI / 6, teleports: true };
 
 /** Session modes that the device supports and the page may use. */
 export async function xrModes(): Promise<XRMode[]> {
-  // Chromium logs an error when a page whose permissions policy forbids WebXR asks for it
+  // Chromium logs an error when a page queries WebXR and its permissions policy forbids it
   const { featurePolicy } = document as { featurePolicy?: { allowsFeature(name: string): boolean } };
   const xr = featurePolicy?.allowsFeature('xr-spatial-tracking') === false ? undefined : navigator.xr;
   const modes: XRMode[] = ['immersive-vr', 'immersive-ar'];

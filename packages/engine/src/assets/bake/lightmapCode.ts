@@ -69,7 +69,7 @@ export function packLightmap({ width, height, data }: LightmapData): Promise<Uin
   return deflate(bytes);
 }
 
-/** Unpacks what `packLightmap` made. @throws TypeError when the bytes are of another size, or damaged */
+/** Unpacks the result of `packLightmap`. @throws TypeError when the bytes have the wrong size, or are damaged */
 export async function unpackLightmap(
   packed: Uint8Array<ArrayBuffer>,
   width: number,

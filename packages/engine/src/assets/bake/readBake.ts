@@ -72,7 +72,7 @@ function readHead(parts: Parts): BakeHead {
 }
 
 function readMeshes(head: BakeHead, bytes: Uint8Array): LightmappedMesh[] {
-  // each coded number takes at least one byte of the file
+  // each coded number is at least one byte of the file
   const numbers = head.meshes.reduce((sum, { vertices, triangles }) => sum + 3 * vertices + 3 * triangles, 0);
   if (numbers > bytes.length) damaged();
   const reader = new NumberReader(bytes);
@@ -108,7 +108,7 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const head = readHead(parts);
     const packed = head.lightmaps.map((lightmap) => parts.readBytes(lightmap.bytes));
     const lightmaps: LightmapData[] = [];
-    // one after another: unpacking takes several times a lightmap's size
+    // sequentially: unpacking needs several times a lightmap's size
     for (const [i, { width, height }] of head.lightmaps.entries()) {
       lightmaps.push(await unpackLightmap(packed[i], width, height));
     }

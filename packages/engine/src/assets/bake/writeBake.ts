@@ -49,7 +49,7 @@ function meshNumbers(meshes: readonly LightmappedMesh[]): Uint8Array<ArrayBuffer
   return writer.result;
 }
 
-/** Half floats of the coefficients, low and high bytes apart, those of one coefficient together. */
+/** Half floats of the coefficients, low and high bytes apart, grouped by coefficient. */
 function probeBytes(coefficients: Float32Array): Uint8Array<ArrayBuffer> {
   const count = coefficients.length / 27;
   const bytes = new Uint8Array(2 * coefficients.length);

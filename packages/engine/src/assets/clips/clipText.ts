@@ -1,9 +1,9 @@
 import { type FieldValue, isTriple } from '@farol/editing/fields';
 import type { ClipData, ClipKey, ClipTrack } from './ClipData';
 
-/** Rounds a number to nine digits, which tell all single-precision numbers apart. */
+/** Rounds a number to nine digits, which distinguish all single-precision numbers. */
 function short(value: number): number {
-  // skips the conversion to text for numbers that surely have no more digits
+  // skips the conversion to text for numbers that cannot have more digits
   const size = Math.abs(value);
   const unit = size < 1 ? 1e9 : size < 1000 ? 1e6 : 1;
   if (size < 1e9 && Math.round(value * unit) / unit === value) return value + 0;

@@ -27,8 +27,7 @@ const CREASE = Math.PI / 6;
 
 /**
  * The meshes of an OBJ file: a mesh for each group, a primitive for each material in it. Corners without a normal get
- * one by the crease angle of 30°, as the engine computes them, over the whole file at once, so that no seam shows
- * between groups.
+ * one, by a crease angle of 30°, computed over the whole file, so that no seam shows between groups.
  * @param signal - cancels the work
  * @throws the signal's abort reason (as a rejection)
  */

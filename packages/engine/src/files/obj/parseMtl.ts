@@ -15,7 +15,7 @@ export interface MtlMap {
 
 type Triple = readonly [number, number, number];
 
-/** A material of an MTL file; what is not in the file is absent. Colours are as in the file, sRGB. */
+/** A material of an MTL file, with the properties that the file has. Colours are sRGB, as in the file. */
 export interface MtlMaterial {
   readonly name: string;
   readonly diffuse?: Triple;
@@ -39,7 +39,7 @@ export interface MtlMaterial {
   readonly displacementMap?: MtlMap;
 }
 
-/** Numbers that each option of a texture takes; `-o`, `-s` and `-t` take one to three. */
+/** Number of values of each texture option; `-o`, `-s` and `-t` have one to three. */
 const optionLengths: Readonly<Record<string, number>> = {
   '-blendu': 1,
   '-blendv': 1,

@@ -100,7 +100,7 @@ class ObjParser {
     this.reader = new LineReader(bytes);
   }
 
-  /** @returns whether there is more to read */
+  /** @returns whether lines are left */
   readLines(count: number): boolean {
     const { reader } = this;
     for (this.work = 0; this.work < count && !reader.isAtEnd; this.work++) {

@@ -9,7 +9,7 @@ export type Section = (u: number, v: number) => readonly [side: number, up: numb
 
 const [moved, tangent] = [new Vector3(), new Vector3()];
 
-/** A round cross-section of a radius (m) that may change along the way. */
+/** A round cross-section, whose radius (m) may vary along the curve. */
 export const round =
   (radius: (v: number) => number): Section =>
   (u, v) => {
@@ -28,7 +28,7 @@ function between(points: readonly number[], knots: readonly number[], t: number)
   let level = points;
   for (let degree = 1; degree < 4; degree++) {
     level = level.slice(1).map((next, i) => {
-      // the two lower levels span the knots beside b and c alone
+      // the two lower levels only depend on the knots of b and c
       const [from, to] = degree === 3 ? [knots[1], knots[2]] : [knots[i], knots[i + degree]];
       return (level[i] * (to - t) + next * (t - from)) / (to - from);
     });

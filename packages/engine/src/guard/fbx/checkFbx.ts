@@ -73,7 +73,7 @@ class Budget {
   }
 }
 
-/** An array of a node, as it lies in the file. */
+/** A packed array of a node, before it is unpacked. */
 interface PackedArray {
   readonly node: string;
   readonly type: string;

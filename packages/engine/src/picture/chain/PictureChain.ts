@@ -223,7 +223,7 @@ export class PictureChain {
     this.camera = null;
   }
 
-  /** Sets the camera of the passes; only on a change, since that compiles their programs anew. */
+  /** Sets the camera of the passes, only on a change, since that recompiles their programs. */
   private setCamera(camera: Camera): void {
     const { near, far } = camera as PerspectiveCamera;
     if (camera === this.camera && near === this.near && far === this.far) return;
