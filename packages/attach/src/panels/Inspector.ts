@@ -4,7 +4,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import { FieldInput } from '../ui/FieldInput';
 
-/** Fields of the selected objects: updated as values change, edited together, with undo. */
+/** Fields of the selected objects, edited together, with undo; displayed values follow changes. */
 export class Inspector {
   readonly element = element('section', { className: 'inspector', 'aria-label': t('Inspector'), tabIndex: 0 });
   private readonly search = element('input', {
@@ -68,7 +68,7 @@ export class Inspector {
     this.filter();
   }
 
-  /** Shows the fields that match the filter text, and the sections that have some. */
+  /** Shows the fields that match the filter text, and the sections that contain any. */
   private filter(): void {
     const words = wordsOfFilter(this.search.value);
     for (const { title, details, inputs } of this.sections)
