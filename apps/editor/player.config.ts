@@ -31,7 +31,7 @@ function withoutRapier(): Plugin {
   return {
     name: 'farol-no-rapier',
     enforce: 'pre',
-    // built packages import files with an extension
+    // packages in `dist` import with an extension, sources without
     resolveId: (source, importer) => (importer && /\/loadRapier(\.js)?$/.test(source) ? own : null),
   };
 }
@@ -112,7 +112,7 @@ async function playerPage(runsScripts: boolean): Promise<string> {
     .replace('./farol-player.js', `./${script}`);
 }
 
-/** The page that follows an editor, see `src/player/live/main.ts`; of the development server alone. */
+/** The page that follows an editor, see `src/player/live/main.ts`; only the development server has it. */
 async function livePage(server: ViteDevServer): Promise<string> {
   const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
   const page = text.replace(

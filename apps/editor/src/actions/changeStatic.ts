@@ -3,7 +3,7 @@ import type { GameObject } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
 import { setStatic } from '../model/edits';
 
-/** Makes objects static or moving. Asks about objects below them when these differ. */
+/** Makes objects static or moving. When some of their descendants differ, asks whether these change too. */
 export async function changeStatic(
   { commands, dialogs }: EditorApi,
   objects: readonly GameObject[],

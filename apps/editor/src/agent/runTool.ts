@@ -11,7 +11,7 @@ const MOST_LETTERS = 4_000_000;
 type EditName = keyof typeof edits;
 type Runner<Name extends ToolName> = (editor: EditorApi, input: ToolInput<Name>, client: string) => unknown;
 
-/** Every tool but the single edits, which are batches of one. */
+/** Runner of each tool except single edits, which run as batches of one. */
 const runners: { readonly [Name in Exclude<ToolName, EditName>]: Runner<Name> } = {
   get_scene: getScene,
   get_objects: getObjects,

@@ -4,7 +4,7 @@ import { formatMicroShader, MicroShaderCompileError } from '@farol/renderer/micr
 import type { EditorApi } from '../api/EditorApi';
 import { checkMicroShaders } from '../microshaders/checkMicroShaders';
 
-/** Why microshaders are refused, as a sentence: the compiler's first error with microshader and line. */
+/** Error with the compiler's first message, its microshader and line. */
 function refusal(file: string, error: unknown): Error {
   const [first] = error instanceof MicroShaderCompileError ? error.entries : [];
   const reason = first

@@ -18,7 +18,7 @@ export function draftReason(error: unknown): string {
 
 /** The missing browser feature without which no draft can be kept, as a sentence without a capital; null for none. */
 export function missingForDrafts(): string | null {
-  // a page with an opaque origin throws on access
+  // property access throws on a page with an opaque origin
   const has = (read: () => unknown): boolean => {
     try {
       return read() !== undefined && read() !== null;

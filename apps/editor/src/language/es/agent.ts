@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Spanish texts of what agents do, and of the bar and dialog that allow them. */
+/** Spanish texts of agents' edits, and of the bar and dialog that allow agents. */
 export const agent: Texts = {
   'An agent may edit': 'Un agente puede editar',
   'none is connected yet': 'aún no hay ninguno conectado',

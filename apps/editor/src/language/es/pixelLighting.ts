@@ -1,4 +1,4 @@
-/** The tool that tells of which lights a pixel is made. */
+/** Spanish texts of the tool that lists how much each light adds to a pixel. */
 export const pixelLighting = {
   'Explain a pixel': 'Explicar un píxel',
   'Explain the middle': 'Explicar el centro',
