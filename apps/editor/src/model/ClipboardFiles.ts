@@ -1,8 +1,8 @@
-/** The files of the last copy in IndexedDB, where other tabs find them. */
+/** Name of the IndexedDB database with the files of the last copy, which other tabs read. */
 
 const NAME = 'farol-clipboard';
 
-/** Functions that keep the files of copied objects; their code is fetched late. */
+/** Functions that store the files of copied objects; their code is fetched late. */
 export interface ClipboardFiles {
   readFile(name: string): Promise<Blob | null>;
   writeFiles(files: ReadonlyMap<string, Blob>): Promise<void>;

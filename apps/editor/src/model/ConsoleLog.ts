@@ -16,7 +16,7 @@ export type ConsoleSource =
   | 'plugin'
   | 'page';
 
-/** A line (from 1) of a microshader or of a script, known by name. */
+/** A line (from 1) of a microshader or script, given by name. */
 export type ConsolePlace =
   | { readonly chunk: string; readonly line: number }
   | { readonly script: string; readonly line: number };
@@ -34,7 +34,7 @@ export interface ConsoleEntry {
   readonly place?: ConsolePlace;
 }
 
-/** Maximum number of messages kept; the oldest are dropped. */
+/** Maximum number of messages; the oldest are dropped. */
 const LIMIT = 500;
 
 /** Messages logged since the page was opened. A repeated message is one entry with a count. */
