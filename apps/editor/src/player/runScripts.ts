@@ -28,7 +28,7 @@ function loadCompiler(): Promise<Compile> {
   });
 }
 
-/** Runs the scripts of a scene: an exported page has them compiled, those of a linked scene are compiled here. */
+/** Runs the scripts of a scene: compiled in an exported page, else compiled here. */
 export const runScripts: RunScripts = async (scene, registry) => {
   // compiled scripts of an exported page have run before this one
   const isCompiled = document.getElementById('farol-scene') !== null;

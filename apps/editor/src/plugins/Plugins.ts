@@ -15,7 +15,7 @@ function countsOf(components: readonly Component[]): string {
   return [...counts].map(([type, count]) => `${count} ${type}`).join(', ');
 }
 
-/** A component as the data that its file would hold. */
+/** A component as data, as a file would store it. */
 function asUnknown(component: Component): UnknownComponent {
   const { components } = serializeObject(component.gameObject);
   return makeUnknownComponent(components.find(({ id }) => id === component.id)!);
@@ -117,7 +117,7 @@ export class Plugins {
     return found;
   }
 
-  /** Swaps of components kept as data for ones of the plugin's classes; data that cannot be read stay. */
+  /** Swaps of components kept as data for components of the plugin's classes; data that cannot be read are kept. */
   private restored(plugin: EditorPlugin): ComponentSwap[] {
     const { components, notices } = this.editor;
     const types = new Set(plugin.components?.map(({ typeName }) => typeName));

@@ -61,7 +61,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
   const { scene } = document;
-  // nothing is counted during a bake: other meshes then stand in for those of the scene
+  // not updated during a bake, which replaces meshes of the scene
   const counts = usePoll(
     useCallback(() => countForBake(document.scene).join(), [document]),
     isRunning ? 0 : 2,
@@ -102,7 +102,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
 
 interface MendProps {
   readonly text: string;
-  /** Label of a button that solves the problem at once; null for none. */
+  /** Label of a button that solves the problem; null for none. */
   readonly action: string | null;
   onMend(): void;
 }

@@ -7,21 +7,21 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { CopyButton } from './CopyButton';
 import '../agent/agent.css';
 
-/** Command that starts a server with a relay, not translated. */
+/** Command that starts a server that accepts agents, not translated. */
 const COMMAND = 'npm start';
 
-/** Command by which an MCP client starts the server: the package's, unless the dev server names a script. */
+/** Command by which an MCP client starts the server: the package's command, unless the dev server names a script. */
 async function startOf(): Promise<{ command: string; args: readonly string[] }> {
   try {
     const { agent } = (await (await fetch('./apps.json')).json()) as { agent?: string };
     if (agent) return { command: 'node', args: [agent] };
   } catch {
-    // a page that a folder serves has no such file
+    // a page served from a plain folder has no such file
   }
   return { command: 'npx', args: ['-y', '-p', '@farol/mcp', 'farol-mcp'] };
 }
 
-/** Asks whether agents may edit, and has the setting by which an MCP client finds the editor. */
+/** Asks whether agents may edit, and shows the settings with which an MCP client connects to the editor. */
 export function AgentDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   useSignal(linksChanged);

@@ -7,7 +7,7 @@ interface ExportButtonProps {
   readonly label: string;
   /** Description of the exported file, one line. */
   readonly note: string;
-  /** Makes the file and downloads it. @returns a line for each thing that the format cannot hold */
+  /** Creates the file and downloads it. @returns a line for each kind of thing that the format does not support */
   run(): Promise<readonly string[]>;
 }
 

@@ -5,7 +5,7 @@ import type { RecoverDialog as RecoverRequest } from '../../model/Dialogs';
 import { SessionList } from './SessionList';
 import { Button } from '../../ui/Button';
 
-/** Offers unsaved scenes of tabs that were closed. */
+/** Dialog that offers unsaved scenes of closed tabs. */
 export function RecoverDialog({ request, onClose }: { request: RecoverRequest; onClose(): void }): ReactNode {
   return (
     <>

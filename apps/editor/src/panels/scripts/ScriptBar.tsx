@@ -10,7 +10,7 @@ interface ScriptBarProps {
   readonly problems: number;
   /** Whether TypeScript's language service is ready. */
   readonly isReady: boolean;
-  /** Why the language service is unavailable; null when it is not. */
+  /** Why the language service is unavailable; null when it is available. */
   readonly failure: string | null;
 }
 
