@@ -8,7 +8,7 @@ import type { Gizmo, GizmoMode, GizmoPivot, GizmoSpace } from './Gizmo';
 import type { SnapTarget } from './handles/DragSnap';
 import type { Helpers } from './Helpers';
 
-/** Settings by the object that holds them, under the same names. */
+/** Names of the settings, by the object that stores them. */
 const held = {
   gizmo: ['mode', 'space', 'snapping', 'snapTo', 'alignsToSurface', 'pivot'],
   helpers: ['showGrid', 'showIcons', 'showRanges'],
