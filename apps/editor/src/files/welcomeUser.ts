@@ -8,8 +8,8 @@ const PATIENCE = 1500;
 /**
  * Shows the welcome page if wanted, with sessions to recover. A user who has begun to work gets a notice instead of a
  * dialog.
- * @param load - fetches the code of the welcome page, which is shown once complete @returns a function to call with the
- *   recoverable sessions; null for none
+ * @param load - fetches the code of the welcome page, which is shown once complete
+ * @returns a function to call with the recoverable sessions; null for none
  */
 export function welcomeUser(
   editor: EditorApi,

@@ -2,8 +2,9 @@ import { type ComponentType, createElement, type ReactNode, useEffect, useState 
 
 /**
  * A component whose code is fetched when it is first shown. When fetching fails, the placeholder stays; the next time
- * that the component is shown, fetching is tried again. @param load - fetches the component @param placeholder - shown
- * until then; nothing by default
+ * that the component is shown, fetching is tried again.
+ * @param load - fetches the component
+ * @param placeholder - shown until then; nothing by default
  */
 export function lateComponent<Props extends object>(
   load: () => Promise<ComponentType<Props>>,

@@ -48,8 +48,9 @@ export class FlyControls {
   private pitch = 0;
 
   /**
-   * @param canvas - receives the button presses @param controls - controls of the camera to move; disabled during
-   *   flight @param isEnabled - called when the button is pressed: whether flying is allowed
+   * @param canvas - receives the button presses
+   * @param controls - controls of the camera to move; disabled during flight
+   * @param isEnabled - called when the button is pressed: whether flying is allowed
    * @param isFlat - whether the view is orthographic: pointer movement then orbits, and forward zooms in
    */
   constructor(

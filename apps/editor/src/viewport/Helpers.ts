@@ -23,8 +23,8 @@ export class Helpers {
   private readonly lines: LatePart<SelectionLines>;
 
   /**
-   * @param stamps - counts of changes, by which unchanged icons are kept @param redraw - called when the picture must
-   *   be drawn again
+   * @param stamps - counts of changes, by which unchanged icons are kept
+   * @param redraw - called when the picture must be drawn again
    * @param failed - called when the code of the selection's lines cannot be fetched
    */
   constructor(

@@ -77,8 +77,8 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   }
 
   /**
-   * Updates positions and colours when something has changed since the last call. @param without - the camera whose
-   * view is shown, which gets no icon
+   * Updates positions and colours when something has changed since the last call.
+   * @param without - the camera whose view is shown, which gets no icon
    */
   follow(
     { scene, selection }: EditorDocument,

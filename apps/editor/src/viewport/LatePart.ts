@@ -7,9 +7,9 @@ export class LatePart<Part extends { dispose(): void }> {
   private isDisposed = false;
 
   /**
-   * @param isNeeded - called by `get` until fetching begins: whether the part is needed @param load - fetches the code;
-   *   resolves to a function that creates the part @param failed - called when the code cannot be fetched; this is not
-   *   tried again
+   * @param isNeeded - called by `get` until fetching begins: whether the part is needed
+   * @param load - fetches the code; resolves to a function that creates the part
+   * @param failed - called when the code cannot be fetched; this is not tried again
    */
   constructor(
     private readonly isNeeded: () => boolean,

@@ -113,8 +113,8 @@ export class LateParts {
   }
 
   /**
-   * Draws a preview ball of a material: see `MaterialBall.draw`. @throws Error (as a rejection) when the code cannot be
-   * fetched; a later call tries again
+   * Draws a preview ball of a material: see `MaterialBall.draw`.
+   * @throws Error (as a rejection) when the code cannot be fetched; a later call tries again
    */
   async drawBall(...of: Parameters<MaterialBall['draw']>): Promise<void> {
     const { MaterialBall: Ball } = await import('./MaterialBall');

@@ -29,8 +29,8 @@ export class PlayView {
   }
 
   /**
-   * Plays the scene through a camera. @param from - pose of the camera while playing, undone by stopping; null for its
-   * own
+   * Plays the scene through a camera.
+   * @param from - pose of the camera while playing, undone by stopping; null for its own
    */
   play(camera: CameraComponent, from: CameraView | null): void {
     const { simulation } = this.document;

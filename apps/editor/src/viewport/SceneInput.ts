@@ -16,8 +16,8 @@ export class SceneInput {
   /**
    * @param surface - the canvas, as large as the view that the scene is played in
    * @param getCamera - the camera of that view
-   * @param isLookedThrough - whether the view is that of a scene's camera @param changed - called when the receiver of
-   *   keys may have changed
+   * @param isLookedThrough - whether the view is that of a scene's camera
+   * @param changed - called when the receiver of keys may have changed
    */
   constructor(
     private readonly document: EditorDocument,

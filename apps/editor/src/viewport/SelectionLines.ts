@@ -28,9 +28,9 @@ export class SelectionLines {
   }
 
   /**
-   * Draws the outline over the picture that was just drawn with the same camera, and updates the lines. @param
-   * showsRanges - whether the ranges of all lights are drawn, not only of selected ones @param isDragging - whether the
-   * gizmo is being dragged: then only transforms change
+   * Draws the outline over the picture that was just drawn with the same camera, and updates the lines.
+   * @param showsRanges - whether the ranges of all lights are drawn, not only of selected ones
+   * @param isDragging - whether the gizmo is being dragged: then only transforms change
    */
   render(
     webgl: WebGLRenderer,

@@ -99,7 +99,8 @@ export class PictureCanvas {
 
   /**
    * Draws as `draw` does, once all files, code and programs are loaded. The canvas keeps the picture until the task
-   * ends. @param signal - cancels the wait
+   * ends.
+   * @param signal - cancels the wait
    * @throws AbortError when `signal` is aborted; Error when code cannot be fetched, or the device is lost
    */
   async drawComplete(eye: Eye, component: CameraComponent | null, signal: AbortSignal): Promise<void> {

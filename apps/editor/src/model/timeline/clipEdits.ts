@@ -15,8 +15,8 @@ export const durationOf = (clip: ClipAsset): number => clip.duration;
 export const frameRateOf = (clip: ClipAsset): number => clip.frameRate;
 
 /**
- * Replaces tracks and events of a clip, extending the clip when they lie beyond its end. @param duration - minimum
- * duration (s); the current one when absent
+ * Replaces tracks and events of a clip, extending the clip when they lie beyond its end.
+ * @param duration - minimum duration (s); the current one when absent
  */
 export function setClip(label: string, clip: ClipAsset, data: ClipData, duration = durationOf(clip)): SetFields {
   const text = writeClip(data);

@@ -12,8 +12,9 @@ interface Point {
 
 /**
  * Lets a finger drag an element, which browsers support for mice only: after a long press a copy of the element follows
- * the finger. @param drop - called with the point where the finger is lifted @returns a function that removes the
- * listeners
+ * the finger.
+ * @param drop - called with the point where the finger is lifted
+ * @returns a function that removes the listeners
  */
 export function watchFinger(element: HTMLElement, drop: (at: Point) => void): () => void {
   const end = new AbortController();

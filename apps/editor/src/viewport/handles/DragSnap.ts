@@ -53,8 +53,8 @@ export class DragSnap {
   private readonly startTurn = new Quaternion();
 
   /**
-   * @param dragged - objects, in their poses before the drag @param pivot - object in its pose before the drag; no
-   *   descendant of the dragged ones
+   * @param dragged - objects, in their poses before the drag
+   * @param pivot - object in its pose before the drag; no descendant of the dragged ones
    */
   constructor(
     private readonly scene: Scene,

@@ -19,8 +19,9 @@ export class ViewPane {
   shown: ViewInfo | null = null;
 
   /**
-   * @param name - 'main' always exists, and can show the view of a scene's camera @param shading - shading of the scene
-   *   @param hasKeys - called at each key press: whether the camera controls may use the key
+   * @param name - 'main' always exists, and can show the view of a scene's camera
+   * @param shading - shading of the scene
+   * @param hasKeys - called at each key press: whether the camera controls may use the key
    */
   constructor(
     readonly name: 'main' | 'top' | 'front' | 'right',

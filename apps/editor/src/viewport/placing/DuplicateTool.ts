@@ -53,8 +53,8 @@ export class DuplicateTool implements Tool {
   private readonly endings: (() => void)[];
 
   /**
-   * @param camera - only surfaces on its layers are found @param onEnd - called when another edit or tool has ended
-   *   this one
+   * @param camera - only surfaces on its layers are found
+   * @param onEnd - called when another edit or tool has ended this one
    */
   constructor(
     private readonly document: EditorDocument,

@@ -87,7 +87,8 @@ const INSIDE = 0.9;
 
 /**
  * Moves objects onto the surface below them, or above when they are under it; else onto the ground at height 0. The
- * objects are not dropped onto each other. @param objects - at least one; descendants of another are ignored
+ * objects are not dropped onto each other.
+ * @param objects - at least one; descendants of another are ignored
  */
 export function dropToGround(scene: Scene, objects: readonly GameObject[]): Command {
   const parts = boxed(scene, objects);

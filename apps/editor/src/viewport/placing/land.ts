@@ -287,8 +287,8 @@ function turnWithView(objects: readonly GameObject[], camera: Camera): void {
  * Places objects that are not in a scene yet at a point on screen: on the surface there, in front of it when it is a
  * wall, else on the ground at height 0, else at a moderate distance from the eye. Their lowest point touches the
  * surface, beside existing objects. Lights and cameras are placed at a useful height; decals are projected onto the
- * surface; objects tagged `ceiling` hang, objects tagged `wall` are turned to their wall. @param objects - at least
- * one; their relative positions are kept
+ * surface; objects tagged `ceiling` hang, objects tagged `wall` are turned to their wall.
+ * @param objects - at least one; their relative positions are kept
  * @param point - normalised device coordinates
  */
 export function land(view: LandingView, objects: readonly GameObject[], point: Vector2): void {
