@@ -81,7 +81,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
   const remove = (id: string, name: string) =>
     attempt(async () => {
       setDeleted({ name, undo: await store.remove(id) });
-      // the focused button no longer exists
+      // moves the focus, since the focused button no longer exists
       requestAnimationFrame(() => undoButton.current?.focus());
     });
   const undo = () =>

@@ -48,10 +48,7 @@ function describeSpot(light: SpotLight): RivalSpot {
   };
 }
 
-/**
- * Lights that do not move.
- * @throws Error for kinds and falloffs that the Lab does not convert
- */
+/** Converts lights that do not move. @throws Error for kinds and falloffs that the Lab does not convert */
 export function describeStillLights(lights: readonly Light[]): StillLights {
   const ambient: [number, number, number] = [0, 0, 0];
   const hemispheres: RivalHemisphere[] = [];
@@ -79,8 +76,8 @@ export function describeStillLights(lights: readonly Light[]): StillLights {
 }
 
 /**
- * Point lights at their current places.
- * @throws Error for one without an end, of another decay than 2, or with shadows
+ * Converts point lights at their current places.
+ * @throws Error for one without range, with a decay other than 2, or with shadows
  */
 export function describePoints(lights: readonly Light[]): RivalPoints {
   const count = lights.length;

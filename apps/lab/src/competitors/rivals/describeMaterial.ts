@@ -48,7 +48,7 @@ function problemOf(material: Material): string | null {
   if (of.roughnessMap && of.metalnessMap && of.roughnessMap !== of.metalnessMap) {
     return 'has roughness and metalness in two textures';
   }
-  // the engines have one map for both
+  // the engines have one map for roughness and metalness
   if (Boolean(of.roughnessMap) !== Boolean(of.metalnessMap) && (of.roughnessMap || of.metalness > 0)) {
     return 'has a texture for only one of roughness and metalness';
   }
@@ -64,7 +64,7 @@ function describeMap(texture: Texture, name: string, textures: (texture: Texture
 }
 
 /**
- * A material of three as plain data.
+ * Converts three's material to plain data.
  * @param textures - returns a texture's index in `RivalScene.textures`
  * @throws Error that names a property that the Lab does not convert
  */
