@@ -96,7 +96,7 @@ async function buildScript(entry: string, name: string, fromSource: boolean, plu
   });
   const outputs = (Array.isArray(result) ? result : [result]).flatMap((each) => ('output' in each ? each.output : []));
   const script = outputs.find((output) => output.type === 'chunk');
-  if (!script) throw new Error('The player gave no script.');
+  if (!script) throw new Error('The build of the player has no script: see its entry in player.config.ts.');
   return script.code;
 }
 

@@ -127,7 +127,7 @@ const caseOf = (plan: LabPlan, { series, index }: LabRow): unknown =>
 
 function configurationIn(fragment: string): Configuration {
   const linked = configurationOf(fragment);
-  if (!linked) throw new Error('The address asks for nothing: give a preset, as in #preset=quick.');
+  if (!linked) throw new Error('The address has no configuration: give a preset, as in #preset=quick.');
   if (linked.problems.length > 0) throw new Error(linked.problems.join('\n'));
   return linked.configuration;
 }

@@ -18,7 +18,7 @@ export async function changeStatic(
     const agreed = await dialogs.show({
       kind: 'confirm',
       title: isStatic ? t('Make static') : t('Make moving'),
-      text: t('There are {count} objects below that are otherwise. Shall they change too?', { count: below.length }),
+      text: t('{count} objects below are different. Shall they change too?', { count: below.length }),
       action: t('Change all'),
       other: { label: t('Only the selected'), choose: () => (changed = objects) },
     });

@@ -102,7 +102,8 @@ export async function openScene(editor: EditorApi, { name }: ToolInput<'open_sce
 
 export function playScene({ document: { simulation, scene } }: EditorApi, input: ToolInput<'play'>): object {
   const { do: what } = input;
-  if (what !== 'play' && what !== 'step' && simulation.state === 'stopped') throw new Error('The scene is stopped.');
+  if (what !== 'play' && what !== 'step' && simulation.state === 'stopped')
+    throw new Error('The scene is stopped: play it first.');
   simulation[what]();
   return { play: simulation.state, time: scene.time };
 }

@@ -52,7 +52,7 @@ export function duplicateAlong({ document: { scene } }: EditorApi, input: Input)
     throw new Error(
       'There is no surface to scatter over: name an object with a mesh as surface, or a smaller distance.',
     );
-  if (places.length > MOST) throw new Error(`These are ${places.length} objects: ${MOST} is the limit of one call.`);
+  if (places.length > MOST) throw new Error(`These are ${places.length} objects: make at most ${MOST} in one call.`);
   return arrangeObjects(scene, sources, places, arrangement);
 
   function placesOf(settings: Arrangement, objects: readonly GameObject[], { surface }: Input): ArrangedPlace[] {

@@ -47,6 +47,6 @@ export async function runTool(
     : await (runners[name as Exclude<ToolName, EditName>] as Runner<ToolName>)(editor, checked.input as never, client);
   if (Array.isArray(result) && name === 'screenshot') return result as Content[];
   const text = typeof result === 'string' ? result : JSON.stringify(result);
-  if (text.length > MOST_LETTERS) throw new Error(`The answer would have ${text.length} characters: ask for less.`);
+  if (text.length > MOST_LETTERS) throw new Error(`The answer would have ${text.length} characters: narrow the call.`);
   return [{ type: 'text', text }];
 }

@@ -32,7 +32,7 @@ export const askForHosts = (dialogs: Dialogs, name: string, addresses: readonly 
   dialogs.show({
     kind: 'problems',
     title: t('{name} asks for files of other hosts', { name }),
-    text: t('They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:'),
+    text: t('The hosts would learn that you open it, and when. Without them the rest of the scene opens. It loads:'),
     problems: wants(addresses),
     action: t('Load from these hosts'),
     refusal: t('Open without them'),

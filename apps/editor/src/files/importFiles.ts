@@ -133,7 +133,7 @@ export async function importOnly(editor: EditorApi, files: FileMap): Promise<voi
   const { known } = await importFiles(editor, files);
   if (known.length === 0) return;
   const names = firstNames([...new Set(known)], LISTED);
-  editor.notices.show('info', t('There already, with the same content: {names}.', { names }));
+  editor.notices.show('info', t('These exist already, with the same content: {names}.', { names }));
 }
 
 async function importAll(

@@ -51,7 +51,7 @@ export async function importMicroShaders(
     const isAgreed = await dialogs.show({
       kind: 'problems',
       title: t('{file} replaces microshaders that are there', { file }),
-      text: t('What is drawn with them changes. History takes the import back in one step. It replaces:'),
+      text: t('All that uses these microshaders changes; undo takes the import back. It replaces:'),
       problems: replaced.map(({ name }) => ({
         path: name,
         problem: microShaders.isOwn(name)

@@ -11,14 +11,14 @@ export interface ClipboardFiles {
 const done = <T>(request: IDBRequest<T>): Promise<T> =>
   new Promise((resolve, reject) => {
     request.addEventListener('success', () => resolve(request.result));
-    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store.')));
+    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store data.')));
   });
 
 const ended = (transaction: IDBTransaction): Promise<void> =>
   new Promise((resolve, reject) => {
     transaction.addEventListener('complete', () => resolve());
     transaction.addEventListener('abort', () =>
-      reject(transaction.error ?? new Error('The browser refused to store.')),
+      reject(transaction.error ?? new Error('The browser refused to store data.')),
     );
   });
 

@@ -50,14 +50,14 @@ function ofColliders(scene: Scene, { event, gameObject }: EventTrigger): Trigger
   if (colliders.length === 0) {
     const make = (): Command => addComponent(scene, [gameObject], Collider, { sensor: isSensing });
     const label = isSensing ? t('Add a sensor') : t('Add a collider');
-    return [{ text: t('It has no collider: nothing can come into it or touch it.'), mend: { label, make } }];
+    return [{ text: t('The object has no collider: nothing can enter or touch it.'), mend: { label, make } }];
   }
   if (colliders.some(({ sensor }) => sensor === isSensing)) return [];
   const edits = colliders.map((owner) => ({ owner, name: 'sensor', value: isSensing }));
   const label = isSensing ? t('Make it a sensor') : t('Make it solid');
   const text = isSensing
-    ? t('Its collider is no sensor: things stop at it, and do not come in.')
-    : t('Its collider is a sensor: things go through it, and do not collide.');
+    ? t('The collider is no sensor: objects stop at it, and do not enter.')
+    : t('The collider is a sensor: objects pass it, and do not collide.');
   return [{ text, mend: { label, make: () => new SetFields(label, edits) } }];
 }
 
@@ -88,7 +88,7 @@ function ofTarget(scene: Scene, trigger: EventTrigger): TriggerProblem[] {
   if (!target) {
     const label = t('Call this object');
     const make = (): Command => new SetFields(label, [{ owner: trigger, name: 'target', value: null }]);
-    return [{ text: t('The object that it calls is gone.'), mend: { label, make } }];
+    return [{ text: t('The object that the trigger calls no longer exists.'), mend: { label, make } }];
   }
   const { methods, method } = trigger;
   if (method !== '' && methods.includes(method)) return [];
@@ -103,7 +103,7 @@ function ofTarget(scene: Scene, trigger: EventTrigger): TriggerProblem[] {
   // methods of scripts are unknown while these are off or being compiled
   const isKnown = method === '' || !target.components.some(({ typeName }) => typeName === method.split('.')[0]);
   if (!isKnown) return [];
-  const text = method === '' ? t('It calls nothing yet.') : t('{name} has no {method}.', { name, method });
+  const text = method === '' ? t('The trigger calls no method yet.') : t('{name} has no {method}.', { name, method });
   return [{ text, mend: { label, make } }];
 }
 

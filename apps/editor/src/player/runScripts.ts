@@ -22,7 +22,7 @@ function loadCompiler(): Promise<Compile> {
   return new Promise((resolve, reject) => {
     element.addEventListener('load', () => resolve((globalThis as unknown as { farolCompile: Compile }).farolCompile));
     element.addEventListener('error', () =>
-      reject(new Error(`The compiler of scripts could not be read: ${element.src}`)),
+      reject(new Error(`The script compiler ${element.src} could not be read: reload the page.`)),
     );
     document.head.append(element);
   });

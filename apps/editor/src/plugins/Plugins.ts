@@ -133,7 +133,7 @@ export class Plugins {
         const { name } = before.gameObject;
         notices.show(
           'error',
-          t('The {type} of {name} stays as data: {message}', { type, name, message: (error as Error).message }),
+          t('The {type} of {name} is kept as data: {message}', { type, name, message: (error as Error).message }),
           'plugin',
         );
         return [];

@@ -52,7 +52,7 @@ export async function receiveScene({
       if (source !== opener || origin !== from) return;
       if (data?.type === 'farol-scene-failed') {
         end();
-        reject(new Error(`The scene did not come: ${String(data.problem)}`));
+        reject(new Error(`The scene was not received: ${String(data.problem)}`));
       }
       if (data?.type !== 'farol-scene' || !(data.bytes instanceof ArrayBuffer)) return;
       end();

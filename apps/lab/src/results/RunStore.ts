@@ -32,10 +32,10 @@ const runKey = (id: string): string => `run:${id}`;
 
 const reasons: Readonly<Record<string, string>> = {
   QuotaExceededError: 'it has no room left for this page. Delete runs, or free space on the disk',
-  SecurityError: 'it lets this page store nothing, as in some private windows',
-  InvalidStateError: 'its store is shut, as in some private windows',
-  VersionError: 'its store is that of a newer Lab. Reload the page',
-  UnknownError: 'its store is damaged, or the disk is full',
+  SecurityError: 'it does not let this page store data, as in some private windows',
+  InvalidStateError: 'its storage is closed, as in some private windows',
+  VersionError: 'its storage is of a newer version of the Lab. Reload the page',
+  UnknownError: 'its storage is damaged, or the disk is full',
 };
 
 /** Wraps the browser's error. @param what - beginning of the message, as in "The run was not kept" */

@@ -117,7 +117,7 @@ export class CaseRun {
   }
 
   private late(): string {
-    return `Not measured: the run may take ${Math.round((this.world.plan.effort.limit ?? 0) / 1000)} s, and they were over.`;
+    return `Not measured: the run’s limit of ${Math.round((this.world.plan.effort.limit ?? 0) / 1000)} s was reached.`;
   }
 
   /** Ends a competitor's turns because the run's time is up. */

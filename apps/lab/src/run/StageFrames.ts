@@ -71,7 +71,7 @@ function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
   return new Promise((resolve, reject) => {
     const failed = (why: string): void => {
       clearTimeout(timer);
-      reject(new Error(`The frame that is measured did not open (${why}): reload the page, or see its console.`));
+      reject(new Error(`The frame that draws did not load (${why}): reload the page, or see its console.`));
     };
     const timer = setTimeout(() => failed(`no answer in ${LONGEST_LOAD / 1000} s`), LONGEST_LOAD);
     element.addEventListener('error', () => failed('it cannot be fetched'));

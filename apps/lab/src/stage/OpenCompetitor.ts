@@ -208,7 +208,7 @@ export class OpenCompetitor {
     if (!gl) return;
     if (gl.isContextLost()) {
       throw new Error(
-        `${competitor.label}: the browser took its WebGL context away. Close other tabs, or ask for less.`,
+        `${competitor.label}: the browser took its WebGL context away. Close other tabs, or choose fewer competitors.`,
       );
     }
     const error = gl.getError();

@@ -130,7 +130,7 @@ export class Autosave implements DraftKeeper {
     editor.commands.markUnsaved();
     this.replaced = id;
     this.wake();
-    editor.notices.show('info', t('{name} is as it was. Save it to keep it.', { name }));
+    editor.notices.show('info', t('{name} is recovered. Save it to keep it.', { name }));
   }
 
   /** Starts a new session for another scene, which is stored once it is changed. */
@@ -270,7 +270,7 @@ export class Autosave implements DraftKeeper {
       this.refusals = 0;
       this.editor.drafts.work();
       this.editor.notices.remove(this.notice);
-      this.editor.notices.show('info', t('Drafts are kept again.'));
+      this.editor.notices.show('info', t('Drafts are stored again.'));
     }
     this.stored.emit();
     // the scene changed while it was being stored

@@ -89,7 +89,7 @@ export function makeShot(editor: EditorApi, name: ShotName, aspect: number, turn
   const { scene } = editor.document;
   if (name === 'path') {
     const views = keptViews(scene);
-    if (views.length < 2) throw new Error(t('A path needs two kept views: Ctrl with a number keeps one.'));
+    if (views.length < 2) throw new Error(t('A path needs two stored views: Ctrl with a number stores one.'));
     return pathShot(views, aspect);
   }
   if (name === 'turntable') return turntableShot(editor, aspect, turns);

@@ -157,7 +157,7 @@ async function copyOf(editor: EditorApi, id: string): Promise<{ prefab: string; 
   const inFolder = folderItems.find((each) => each.id === id);
   if (inFolder) return { prefab: inFolder.prefab, copied: await copyFromFile(editor, inFolder) };
   const kept = (await store.all()).find((each) => each.id === id);
-  if (!kept) throw new Error(t('The library does not have it any more.'));
+  if (!kept) throw new Error(t('The library no longer has this item: choose another one.'));
   return { prefab: kept.prefab, copied: kept };
 }
 

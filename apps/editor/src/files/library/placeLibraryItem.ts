@@ -115,12 +115,11 @@ export async function placeLibraryItem(editor: EditorApi, id: string, place: Dro
     return commands.run(giveSky(scene, t(libraryNames.sky[sky]), skies[sky], selection.ids));
   }
   const item = buildLibraryItem(id);
-  if (!item) throw new Error(t('The library does not have it any more.'));
+  if (!item) throw new Error(t('The library no longer has this item: choose another one.'));
   let steps: readonly (() => Command)[] = [];
   await placeInstance(editor, item.prefab, place, {
     bring: () => bringItem(scene, item),
     follow: (instance) => (steps = id === 'player' ? stepsOfPlayer(scene, instance, editor.viewport.rayCamera) : []),
   });
-  if (steps.length > 1)
-    editor.notices.show('info', t('A ground was added, since there was nothing that carries the player.'));
+  if (steps.length > 1) editor.notices.show('info', t('A ground was added, since the player had nothing to stand on.'));
 }

@@ -183,7 +183,7 @@ export function AssetsPanel(): ReactNode {
         >
           {shown.length + below.length === 0 && (
             <p className="assets-empty">
-              {isFlat ? t('Nothing of that name.') : t('Nothing here yet. Drop files here to import them.')}
+              {isFlat ? t('Nothing matches the search.') : t('Nothing here yet. Drop files here to import them.')}
             </p>
           )}
           <ul className="assets-grid">

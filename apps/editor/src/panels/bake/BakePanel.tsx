@@ -75,7 +75,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
       </p>
       {!isRunning && objects === 0 && (
         <Mend
-          text={t('Nothing is static: switch on Static for what stays where it is.')}
+          text={t('Nothing is static: switch on Static for objects that do not move.')}
           action={
             canBeStatic > 0 ? tCount(canBeStatic, 'Make {count} object static', 'Make {count} objects static') : null
           }
@@ -93,7 +93,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
       )}
       {instanced > 0 && (
         <p className="bake-note">
-          {t('Instanced objects have no lightmap: probes light them. They are {count}.', { count: instanced })}
+          {t('{count} instanced objects have no lightmap: probes light them.', { count: instanced })}
         </p>
       )}
     </>

@@ -50,9 +50,7 @@ export function AgentDialog({ onClose }: { onClose(): void }): ReactNode {
           'A program on this computer that speaks the Model Context Protocol may then read this scene and its messages, see its picture, edit it and run the commands of the menus. Each of its calls is one step that you can undo.',
         )}
       </Dialog.Description>
-      <p>
-        {t('A bar shows as long as it may. It ends by the button in the bar, and when this tab is closed or reloaded.')}
-      </p>
+      <p>{t('A bar is shown while agents may edit. Its button ends that, as does closing or reloading this tab.')}</p>
       {isServed ? (
         <>
           {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling text */}

@@ -40,7 +40,7 @@ export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode
       </div>
       {lost.length > 0 && (
         <div className="export-lost" role="status">
-          <span>{t('What glTF cannot hold:')}</span>
+          <span>{t('Not supported by glTF:')}</span>
           <ul>
             {lost.map((line) => (
               <li key={line}>{line}</li>

@@ -64,7 +64,7 @@ function shotOptions({ document: { scene } }: EditorApi): SelectOption<ShotName>
   if (scene.activeCamera)
     options.push({ value: 'active', label: t('The scene’s camera'), help: t('Also where a script chooses another.') });
   if (keptViews(scene).length > 1)
-    options.push({ value: 'path', label: t('Through the kept views'), help: t('A smooth path in their order.') });
+    options.push({ value: 'path', label: t('Through the stored views'), help: t('A smooth path in their order.') });
   const help = t('Around the selection, or the scene, from the view as shown.');
   options.push({ value: 'turntable', label: t('Turntable'), help });
   if (cameras.length > 1) for (const { id, gameObject } of cameras) options.push({ value: id, label: gameObject.name });

@@ -34,7 +34,7 @@ export function PhoneDialog({ onClose }: { onClose(): void }): ReactNode {
       {!addresses && <p role="status">{t('Asking the server for its address…')}</p>}
       {isAlone && (
         <>
-          <p>{t('This server answers this machine alone. Stop it, and start it so that your network reaches it:')}</p>
+          <p>{t('This server answers only this machine. Stop it, and start it for your network by:')}</p>
           <div className="export-row">
             <input className="input" type="text" readOnly value={COMMAND} aria-label={t('Command')} />
             <CopyButton text={COMMAND} label={t('Command')} />

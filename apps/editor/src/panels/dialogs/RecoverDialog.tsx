@@ -14,7 +14,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
       <SessionList offer={request} onClose={onClose} onEmpty={onClose} />
       <div className="dialog-buttons">
         <span className="dialog-hint">
-          {t('What is left for later stays: “Recover…” in the menu File offers it again.')}
+          {t('Scenes left for later are kept: “Recover…” in the menu File offers them again.')}
         </span>
         <Button label={t('Later')} onClick={onClose} />
       </div>

@@ -147,7 +147,7 @@ export function HierarchyPanel(): ReactNode {
             })}
             <div className="drag-line" style={tree.getDragLineStyle()} />
           </div>
-          {query.trim() !== '' && rows.length === 0 && <p className="menu-empty">{t('Nothing of that name.')}</p>}
+          {query.trim() !== '' && rows.length === 0 && <p className="menu-empty">{t('Nothing matches the search.')}</p>}
         </ContextMenu.Trigger>
         <ContextMenu.Portal>
           <ContextMenu.Positioner className="positioner">

@@ -85,7 +85,7 @@ export function InspectorPanel(): ReactNode {
         data-filtered={words.length > 0}
       >
         <FieldFilter value={words}>{content}</FieldFilter>
-        <p className="inspector-none">{t('No field here is called that.')}</p>
+        <p className="inspector-none">{t('No field matches the search.')}</p>
       </div>
       <p className="inspector-help">{helpOf === subject ? help : ''}</p>
     </section>

@@ -165,7 +165,7 @@ export function LibraryPanel(): ReactNode {
         />
       </div>
       <div className="assets-body">
-        {items.length === 0 && <p className="assets-empty">{t('Nothing of that name.')}</p>}
+        {items.length === 0 && <p className="assets-empty">{t('Nothing matches the search.')}</p>}
         <ul className="assets-grid library-grid">
           {items.map((item, i) => (
             <Fragment key={item.id}>

@@ -97,7 +97,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
           </li>
         ))}
       </ul>
-      {found.length === 0 && <p className="palette-empty">{t('Nothing of that name.')}</p>}
+      {found.length === 0 && <p className="palette-empty">{t('Nothing matches the search.')}</p>}
     </>
   );
 }

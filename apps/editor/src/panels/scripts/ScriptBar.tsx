@@ -15,7 +15,7 @@ interface ScriptBarProps {
 }
 
 function stateOf({ isBroken, problems, isReady, failure }: ScriptBarProps): string {
-  if (isBroken) return t('Cannot be read yet: the last good text runs');
+  if (isBroken) return t('Syntax error: the last valid text runs');
   if (problems > 0) return tCount(problems, '{count} error', '{count} errors');
   if (failure !== null) return t('No completion: {reason}', { reason: failure });
   return isReady ? '' : t('Completion is loading…');

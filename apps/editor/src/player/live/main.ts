@@ -52,7 +52,8 @@ function fileOf(hash: string): Promise<Blob> {
   const fetched =
     blobs.get(hash) ??
     fetch(liveAsset(id, hash)).then((answer) => {
-      if (!answer.ok) throw new Error(`An asset could not be fetched (${answer.status}).`);
+      if (!answer.ok)
+        throw new Error(`An asset could not be fetched: the server answered ${answer.status}. Reload the page.`);
       return answer.blob();
     });
   blobs.set(hash, fetched);
@@ -138,7 +139,7 @@ function take(parts: Map<PartKey, string>, changes: readonly PartChange[]): void
 }
 
 function receive(message: LiveMessage | RelayMessage): void {
-  if (message.kind === 'away') line.textContent = t('The editor is away; its edits follow when it is back.');
+  if (message.kind === 'away') line.textContent = t('The editor is not connected; edits follow once it is.');
   else if (message.kind === 'play') restarts = isShown;
   else if (message.kind === 'whole') coming = new Map();
   else if (message.kind === 'parts') {

@@ -45,8 +45,8 @@ export function describeGeometry(
     return describeGeometry(flat, part);
   }
   const { position, normal, uv, color } = geometry.attributes as Record<string, Attribute | undefined>;
-  if (!position) throw new Error(`Geometry ${name} has no positions.`);
-  if (!normal) throw new Error(`Geometry ${name} has no normals.`);
+  if (!position) throw new Error(`Geometry ${name} has no positions: give it some.`);
+  if (!normal) throw new Error(`Geometry ${name} has no normals: compute them first.`);
   if (Object.keys(geometry.morphAttributes).length > 0) {
     throw new Error(`Geometry ${name} has morph targets: the Lab cannot give it to other engines.`);
   }

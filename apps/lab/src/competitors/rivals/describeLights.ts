@@ -55,7 +55,8 @@ export function describeStillLights(lights: readonly Light[]): StillLights {
   const directionals: RivalDirectional[] = [];
   const spots: RivalSpot[] = [];
   for (const light of lights) {
-    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} casts shadows.`);
+    if (light.castShadow)
+      throw new Error(`Light ${light.name || 'without a name'} casts shadows: other engines get none.`);
     if ((light as AmbientLight).isAmbientLight) {
       colourOf(light).forEach((part, k) => (ambient[k] += part));
     } else if ((light as HemisphereLight).isHemisphereLight) {
@@ -94,7 +95,8 @@ export function describePoints(lights: readonly Light[]): RivalPoints {
       );
     }
     checkFalloff(light);
-    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} casts shadows.`);
+    if (light.castShadow)
+      throw new Error(`Light ${light.name || 'without a name'} casts shadows: other engines get none.`);
     points.colours.set(colourOf(light), i * 3);
     points.ranges[i] = light.distance;
   });

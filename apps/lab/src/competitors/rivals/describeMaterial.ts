@@ -56,10 +56,12 @@ function problemOf(material: Material): string | null {
 }
 
 function describeMap(texture: Texture, name: string, textures: (texture: Texture) => number): RivalMap {
-  if (texture.channel !== 0) throw new Error(`Material ${name} uses a second set of UVs.`);
+  if (texture.channel !== 0)
+    throw new Error(`Material ${name} uses a second set of UVs: the Lab cannot give it to other engines.`);
   if (texture.matrixAutoUpdate) texture.updateMatrix();
   const [a, b, , c, d, , u, v] = texture.matrix.elements;
-  if (Math.abs(b) > 1e-6 || Math.abs(c) > 1e-6) throw new Error(`Material ${name} rotates a texture.`);
+  if (Math.abs(b) > 1e-6 || Math.abs(c) > 1e-6)
+    throw new Error(`Material ${name} rotates a texture: the Lab cannot give it to other engines.`);
   return { texture: textures(texture), scale: [a, d], offset: [u, v] };
 }
 

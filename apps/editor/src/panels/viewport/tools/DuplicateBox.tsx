@@ -209,9 +209,12 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
       </div>
       <p className="tool-note" role="status">
         {value.kind === 'scatter' && !tool.target
-          ? t('Click what they shall be scattered over.')
+          ? t('Click the object to scatter the copies over.')
           : tool.total < requestedCount
-            ? t('{count} of {wanted} fit: the others would be closer.', { count: tool.total, wanted: requestedCount })
+            ? t('{count} of {wanted} fit: more would be too close together.', {
+                count: tool.total,
+                wanted: requestedCount,
+              })
             : tCount(tool.total, '{count} in all', '{count} in all')}
       </p>
       <div className="dialog-buttons">

@@ -91,10 +91,10 @@ function Reading({ reading }: { readonly reading: PixelReading }): ReactNode {
       {surfaces.length > 0 && <Surfaces surfaces={surfaces} />}
       {effectsLeftOut.length > 0 && (
         <p className="tool-note">
-          {t('Without effects of the whole picture: {names}', { names: effectsLeftOut.join(', ') })}
+          {t('Without effects that need the whole picture: {names}', { names: effectsLeftOut.join(', ') })}
         </p>
       )}
-      {changed && <p className="tool-note">{t('The picture changed meanwhile: shares are of several moments.')}</p>}
+      {changed && <p className="tool-note">{t('The picture changed meanwhile: the shares are of different times.')}</p>}
       <details className="pixel-chunks">
         <summary>{t('Microshaders that ran')}</summary>
         <dl>
