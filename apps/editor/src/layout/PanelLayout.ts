@@ -89,19 +89,16 @@ export class PanelLayout {
     return layout;
   };
 
-  /** Id of the panel that fills the window; null for none. */
   readonly maximised = (): string | null => this.store.getState().maximised;
 
   /** Whether the window has space for only one panel beside the viewport, see `isSmallWindow`. */
   readonly isSmall = (): boolean => this.store.getState().isSmall;
 
-  /** Id of the panel beside the viewport in a small window; null for none. */
   readonly sheet = (): string | null => this.store.getState().sheet;
 
   /** Share of a small window that the panel beside the viewport takes, 0 to 1. */
   readonly share = (): number => this.store.getState().share;
 
-  /** Sets whether the window is small. */
   setSmall(isSmall: boolean): void {
     if (isSmall !== this.isSmall()) this.store.setState({ isSmall });
   }

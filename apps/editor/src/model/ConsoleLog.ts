@@ -26,7 +26,6 @@ export interface ConsoleEntry {
   readonly kind: ConsoleKind;
   readonly source: ConsoleSource;
   readonly text: string;
-  /** Number of times that the message was logged. */
   readonly count: number;
   /** Time of the last repetition (ms since 1970). */
   readonly time: number;

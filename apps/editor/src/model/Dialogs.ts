@@ -93,7 +93,6 @@ export type DialogRequest =
 
 /** The open dialog; one at a time. */
 export class Dialogs {
-  /** Emits when a dialog opens or closes. */
   readonly changed = new Signal();
 
   /** Text typed while the code of the opened palette was being fetched. */

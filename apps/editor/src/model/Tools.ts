@@ -10,7 +10,6 @@ export interface Tool {
 
 /** The tool that is open over the viewport. */
 export class Tools {
-  /** Emits when a tool opens or ends. */
   readonly changed = new Signal();
 
   private tool: Tool | null = null;

@@ -30,7 +30,6 @@ export class Plugins {
 
   constructor(private readonly editor: EditorApi) {}
 
-  /** Plugins in the order they were added. */
   get list(): readonly EditorPlugin[] {
     return [...this.installed.keys()];
   }

@@ -15,7 +15,6 @@ export interface NumberInputProps {
   readonly unit?: string;
   /** Maximum number of decimals: five for 'long' (beyond those of `step` only while typing), three for 'short'. */
   readonly digits?: 'long' | 'short';
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   /** Element that can be dragged to change the number. */

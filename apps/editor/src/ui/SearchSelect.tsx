@@ -13,7 +13,6 @@ interface SearchSelectProps {
   readonly options: readonly SearchOption[];
   /** Text shown when nothing is chosen. */
   readonly placeholder: string;
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

@@ -44,7 +44,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   readonly drawn = new Signal();
   /** Emits when GPU times of the last frame are in `farol.info`, some time after it was drawn. */
   readonly timed = new Signal();
-  /** Emits when the viewport's size changes. */
   readonly resized = new Signal();
   /** Emits when the user asks for the menu of shadings. */
   readonly shadingAsked = new Signal();
@@ -215,7 +214,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.panes.bounds;
   }
 
-  /** Whether there are four views: top, front, right and the main one. */
   get isQuad(): boolean {
     return this.panes.isQuad;
   }
@@ -316,7 +314,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.place.attach(parent);
   }
 
-  /** Removes the canvas from its parent. */
   detach(): void {
     this.place.detach();
   }

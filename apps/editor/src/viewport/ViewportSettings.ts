@@ -47,7 +47,6 @@ export abstract class ViewportSettings {
   declare showColliders: boolean;
   /** Whether every frame is drawn, changed or not, to measure frame rates. */
   declare continuous: boolean;
-  /** Whether frame statistics are shown over the viewport. */
   declare showStatistics: boolean;
   declare view: View;
 

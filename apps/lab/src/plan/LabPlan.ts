@@ -15,7 +15,6 @@ export interface LabCase {
   readonly lights: number | null;
   /** Number of moving lights that cast shadows, by maps of 512 texels per side. */
   readonly shadows: number;
-  /** Kind of the moving lights. */
   readonly lightKind: LightKind;
   /** Range of the moving lights (m); null for the scene's own range. */
   readonly lightRange: number | null;

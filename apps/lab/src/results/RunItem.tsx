@@ -9,7 +9,6 @@ interface RunItemProps {
   isReference?: boolean;
   /** Ids of the runs chosen for a comparison, at most two. */
   chosen: readonly string[];
-  /** Id of the displayed run. */
   current: string | null;
   onOpen(id: string): Promise<void>;
   onChoose(id: string, isChosen: boolean): void;

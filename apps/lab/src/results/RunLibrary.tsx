@@ -12,9 +12,7 @@ import './results.css';
 
 interface RunLibraryProps {
   store: RunStore;
-  /** Reference runs of the repository. */
   references?: readonly ReferenceRun[];
-  /** Id of the displayed run. */
   current: string | null;
   onOpen(run: LabRun): void;
   onCompare(a: LabRun, b: LabRun): void;

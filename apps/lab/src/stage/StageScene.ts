@@ -9,7 +9,6 @@ export type MovingLight = PointLight | SpotLight | RectAreaLight;
 export interface StageScene {
   readonly three: Scene;
   readonly camera: Camera;
-  /** Kind of the moving lights. */
   readonly kind: LightKind;
   readonly shading: Shading;
   /**

@@ -4,7 +4,6 @@ import { loseContext } from './loseContext';
 export interface DeviceLimits {
   /** Name by WEBGL_debug_renderer_info. */
   readonly renderer: string;
-  /** Whether the device has timer queries. */
   readonly timer: boolean;
   /** Maximum number of uniform vectors of a fragment shader. */
   readonly fragmentUniforms: number;

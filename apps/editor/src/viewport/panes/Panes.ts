@@ -65,7 +65,6 @@ export class Panes {
     this.activated();
   }
 
-  /** Whether there are four views. */
   get isQuad(): boolean {
     return this.panes.length > 1;
   }

@@ -65,7 +65,6 @@ export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBox
 }
 
 interface CompetitorBoxProps {
-  /** Key of the competitor. */
   name: string;
   words: CompetitorWords;
   isChosen: boolean;
