@@ -4,7 +4,6 @@ import type { RecordSettings } from '../lighting/LightRecords';
 import type { LightTable } from '../lighting/LightTable';
 import type { PlainPoints } from '../lights/plainPoints';
 import type { Frame } from './Frame';
-import type { TwinAdapter } from './TwinAdapter';
 
 /**
  * An XR session as a frame sees it: lights are found and shadow maps drawn with the first eye, for all of them. Draws of a picture's
@@ -13,15 +12,6 @@ import type { TwinAdapter } from './TwinAdapter';
 export interface Session {
   /** Index of the eye that is drawn, in the order in which they are drawn. */
   eye: number;
-  /** Adapters of twins that draw both eyes at once, of which WebGL has no timers; null while each eye is drawn by itself. */
-  readonly adapters: readonly TwinAdapter[] | null;
-  /** Bytes of targets of the session's own. */
-  readonly bytes: number;
-  /** Whether a frame of both eyes must be drawn eye by eye instead. Called when all that it draws is known. */
-  refuses(frame: Frame, technique: string, effects: number): boolean;
-  dispose(): void;
-  /** Ends a frame of both eyes, inside three's `render`. */
-  present(frame: Frame): void;
   /**
    * Lights that may have a mask and that any eye sees. Leaves the table as collected for the first eye.
    * @param points - what the lights give, as `LightTable.collect` takes them

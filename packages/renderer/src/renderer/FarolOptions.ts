@@ -32,11 +32,6 @@ export interface FarolOptions {
    * EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
    */
   learning?: boolean;
-  /**
-   * Whether both eyes of an XR session are drawn by one call for each object, by OVR_multiview2, where device and scene allow
-   * for it. Default false.
-   */
-  multiview?: boolean;
   /** Times each pass on the GPU, by EXT_disjoint_timer_query_webgl2. Default false: a host may time with a query of its own. */
   timing?: boolean;
   /**
@@ -90,7 +85,6 @@ export const defaultOptions: Required<FarolOptions> = {
   quality: 'auto',
   budget: null,
   learning: false,
-  multiview: false,
   timing: false,
   effects: [],
   shadowAtlasSize: null,

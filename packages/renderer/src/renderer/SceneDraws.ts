@@ -67,7 +67,7 @@ export class SceneDraws {
     sceneView.seenBy = this.frame.seenBy;
     this.frame.queue.order = sceneView.overdraw?.order ?? null;
     this.effects = effects;
-    this.frame.adapters = this.frame.session?.adapters ?? effects.adapters;
+    this.frame.adapters = effects.adapters;
     this.frame.gbufferExtras = effects.attachments;
   }
 
@@ -85,7 +85,7 @@ export class SceneDraws {
   }
 
   get bytes(): number {
-    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0) + (this.frame.session?.bytes ?? 0);
+    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0);
   }
 
   /** Ends a frame, also one that has failed. */
@@ -98,7 +98,6 @@ export class SceneDraws {
     this.picker.learning?.dispose();
     this.edges?.dispose();
     this.scaled?.dispose();
-    this.frame.session?.dispose();
   }
 
   /** Scales the frame to hold the budget. @returns figures of that; null without a budget, or until its code is there */
@@ -113,9 +112,6 @@ export class SceneDraws {
 
   /** Called by SceneView: for three's transmission target if an object transmits, then for the host's target. */
   readonly draw: DrawScene = (backs) => {
-    const { session } = this.frame;
-    const isStereo = session !== null && session.adapters !== null;
-    if (isStereo && session.refuses(this.frame, this.picker.active, this.effects.all.length)) return;
     for (const effect of this.effects.all) {
       if (effect.compute === undefined) continue;
       this.recorder.beginPass(effect.name);
@@ -128,7 +124,6 @@ export class SceneDraws {
     else {
       this.drawFrame();
       if (this.frame.ownsPart) this.run('enlargement', this.enlarge);
-      if (isStereo) session.present(this.frame);
     }
   };
 
