@@ -14,21 +14,6 @@ export function sliceDepth(edge: number, slices: number, distance: number): numb
   return sliceScale(distance) * Math.expm1((EXPONENT * edge) / slices);
 }
 
-/** Slices, with fractions, that end before a depth (m): the inverse of `sliceDepth`, `slices` beyond the distance. */
-export function slicesBefore(depth: number, slices: number, distance: number): number {
-  return Math.min(1, Math.log1p(Math.max(0, depth) / sliceScale(distance)) / EXPONENT) * slices;
-}
-
-/**
- * Phase function of Henyey and Greenstein: share of light that is scattered by an angle, per steradian; over all directions 1.
- * @param cosine - of the angle between the light's ways before and after
- * @param anisotropy - mean cosine: -1 (back) to 1 (on), both left out; 0 is even
- */
-export function phase(cosine: number, anisotropy: number): number {
-  const squared = anisotropy ** 2;
-  return (1 - squared) / (4 * Math.PI * (1 + squared - 2 * anisotropy * cosine) ** 1.5);
-}
-
 /** Froxels across, up and away. */
 export type Froxels = readonly [number, number, number];
 
