@@ -198,7 +198,7 @@ describe('TechniqueChooser', () => {
     for (let i = 0; i < 100; i++) seen.add(chooser.choose(scene({ coverage: i % 2 ? 1.8 : 2.3 })).technique);
     expect([...seen]).toEqual([first]);
     const drawn = readyFrames(chooser, 20, scene({ coverage: 10 }));
-    expect(frames[0]).toBe(first);
+    expect(drawn[0]).toBe(first);
     expect(drawn.indexOf('clustered-deferred')).toBe(7);
     expect(drawn.at(-1)).toBe('clustered-deferred');
   });
