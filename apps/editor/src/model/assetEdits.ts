@@ -210,12 +210,12 @@ export function removeFolder(scene: Scene, path: string): Command {
   );
 }
 
-export function giveMaterial(renderers: readonly ObjectRenderer[], name: string, label: string): Command {
-  return new SetFields(
-    label,
-    renderers.flatMap((owner): FieldEdit[] => [
-      { owner, name: 'shader', value: null },
-      { owner, name: 'material', value: name },
-    ]),
-  );
-}
+/** Edits that give objects a material, in place of a surface of their own. */
+export const materialEdits = (renderers: readonly ObjectRenderer[], material: string): FieldEdit[] =>
+  renderers.flatMap((owner): FieldEdit[] => [
+    { owner, name: 'shader', value: null },
+    { owner, name: 'material', value: material },
+  ]);
+
+export const giveMaterial = (renderers: readonly ObjectRenderer[], name: string, label: string): Command =>
+  new SetFields(label, materialEdits(renderers, name));

@@ -1,3 +1,4 @@
+import { Signal } from '@farol/editing';
 import { createStore, delMany, get, getMany, promisifyRequest, setMany, type UseStore } from 'idb-keyval';
 import type { LabRun } from './LabRun';
 import { readRun } from './parseRun';
@@ -53,7 +54,7 @@ function refused(what: string, error: unknown): RunStoreError {
  */
 export class RunStore {
   readonly #store: UseStore;
-  readonly #listeners = new Set<() => void>();
+  readonly #kept = new Signal();
   readonly #channel: BroadcastChannel | null;
 
   /** @param name - name of the database */
@@ -62,14 +63,11 @@ export class RunStore {
     // opened on first use: opening throws in a page without storage, which should start nevertheless
     this.#store = async (mode, callback) => (opened ??= createStore(name, 'runs'))(mode, callback);
     this.#channel = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel(name);
-    this.#channel?.addEventListener('message', () => this.#notify());
+    this.#channel?.addEventListener('message', () => this.#kept.emit());
   }
 
   /** Calls `listener` when a run was kept, renamed or deleted in any tab. @returns a function that stops it */
-  onChange(listener: () => void): () => void {
-    this.#listeners.add(listener);
-    return () => this.#listeners.delete(listener);
-  }
+  readonly onChange = this.#kept.subscribe;
 
   /** Keeps a run, replacing one with the same id. */
   async save(run: LabRun): Promise<void> {
@@ -136,10 +134,6 @@ export class RunStore {
 
   #changed(): void {
     this.#channel?.postMessage(null);
-    this.#notify();
-  }
-
-  #notify(): void {
-    for (const listener of this.#listeners) listener();
+    this.#kept.emit();
   }
 }

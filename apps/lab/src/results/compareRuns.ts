@@ -8,7 +8,6 @@ import { caseKey } from './mergeRuns';
 export interface ComparedRow {
   readonly competitor: string;
   readonly series: LabSeries;
-  readonly labCase: LabCase;
   readonly index: number;
   readonly value: number;
   /** Times of both runs; null unless both have one. */
@@ -55,7 +54,7 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
         if (!ours || !their) continue;
         const [first, second] = [timeOf(ours, metric), timeOf(their, metric)];
         rows.push({
-          ...{ competitor, series, labCase, index, value: series.values[index] },
+          ...{ competitor, series, index, value: series.values[index] },
           times: first && second ? [first, second] : null,
           ...{ a: first?.median ?? null, b: second?.median ?? null },
           ratio: first && second ? first.median / second.median : null,

@@ -1,18 +1,22 @@
 import { t } from '@farol/editing';
-import { competitorNames } from '../competitors/competitorNames';
-import { type Axis, isNamed, type LabCase } from '../plan/LabPlan';
+import { competitorNames, type CompetitorWords } from '../competitors/competitorNames';
+import { type Axis, isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { lightKindNames, lightKinds, shadingNames, shadings } from '../plan/lightKinds';
 import type { Metric } from '../results/LabRun';
 import { formatNumber } from './format';
 
+const known: ReadonlyMap<string, CompetitorWords> = new Map(Object.entries(competitorNames));
+
 /** Name of a competitor in menus and tables; its key if this version does not know it. */
 export function competitorLabel(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? t(competitorNames[name as keyof typeof competitorNames].label) : name;
+  const words = known.get(name);
+  return words ? t(words.label) : name;
 }
 
 /** Explanation of a competitor, one sentence; its key if this version does not know it. */
 export function competitorHelp(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? t(competitorNames[name as keyof typeof competitorNames].help) : name;
+  const words = known.get(name);
+  return words ? t(words.help) : name;
 }
 
 const inSentences: Readonly<Record<string, string>> = {
@@ -37,7 +41,7 @@ export function isTechnique(name: string): boolean {
 
 /** Kind of a competitor; null if this version does not know it. */
 export function competitorKind(name: string): 'farol' | 'three' | 'rival' | null {
-  return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].kind : null;
+  return known.get(name)?.kind ?? null;
 }
 
 const units: Readonly<Record<Axis, readonly [one: string, many: string]>> = {
@@ -64,6 +68,13 @@ export function valueText(axis: Axis, value: number, labCase?: LabCase): string 
   if (axis === 'pixels' && labCase) return `${labCase.width} × ${labCase.height}`;
   if (isNamed(axis)) return namedValue(axis, value);
   return `${formatNumber(value, 6)} ${t(units[axis][value === 1 ? 0 : 1])}`;
+}
+
+/** Value of a case along its axis, without unit: `100`, `1280 × 720`, `rectangles`. */
+export function caseText({ axis, cases, values }: LabSeries, index: number): string {
+  if (isNamed(axis)) return namedValue(axis, values[index]);
+  const { width, height } = cases[index];
+  return axis === 'pixels' ? `${width} × ${height}` : formatNumber(values[index]);
 }
 
 /** Ending of a title that names the metric, empty for frame times: `, by GPU time`. */

@@ -23,7 +23,6 @@ export const photometry = {
   'Watt (W)': 'Vatio (W)',
   'Show intensity of {name} in {unit}': 'Mostrar intensidad de {name} en {unit}',
   'Made {name} a light like {preset}': '{name} es ahora una luz como {preset}',
-  Candle: 'Vela',
   '40 W bulb': 'Bombilla de 40 W',
   '60 W bulb': 'Bombilla de 60 W',
   '100 W bulb': 'Bombilla de 100 W',

@@ -38,7 +38,6 @@ export const picture: Texts = {
     'La niebla toma el color del cielo en el horizonte, o el del fondo.',
   'How light of any brightness becomes colours of a screen; three’s tone mappings.':
     'Cómo la luz de cualquier intensidad pasa a colores de pantalla; los mapeos de tonos de three.',
-  Exposure: 'Exposición',
   'Factor of all light before it is tone mapped.': 'Factor de toda la luz antes del mapeo de tonos.',
   Bloom: 'Resplandor',
   'Bright things glow over their surroundings.': 'Lo brillante resplandece sobre lo que tiene al lado.',
@@ -126,7 +125,6 @@ export const picture: Texts = {
   'Clear day': 'Día despejado',
   Overcast: 'Nublado',
   Sunset: 'Atardecer',
-  Night: 'Noche',
   Studio: 'Estudio',
   Exponential: 'Exponencial',
   'Of the technique': 'De la técnica',

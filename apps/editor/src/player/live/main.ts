@@ -4,7 +4,7 @@ import { App, AssetLibrary, builtinComponents, ComponentRegistry, type Scene } f
 import { deserialize } from '@farol/engine/files';
 import { compileScript, runInPage, SceneScripts } from '@farol/engine/scripts';
 import { registerSceneAssets } from '@farol/scenes';
-import type { PartChange, PartKey } from '../../files/autosave/parts';
+import { changeParts, type PartKey } from '../../files/autosave/parts';
 import {
   changesBetween,
   fileOfParts,
@@ -131,20 +131,13 @@ async function follow(): Promise<void> {
   }
 }
 
-function take(parts: Map<PartKey, string>, changes: readonly PartChange[]): void {
-  for (const [key, json] of changes) {
-    if (json === null) parts.delete(key);
-    else parts.set(key, json);
-  }
-}
-
 function receive(message: LiveMessage | RelayMessage): void {
   if (message.kind === 'away') line.textContent = t('The editor is not connected; edits follow once it is.');
   else if (message.kind === 'play') restarts = isShown;
   else if (message.kind === 'whole') coming = new Map();
   else if (message.kind === 'parts') {
     const parts = coming ?? told;
-    if (parts) take(parts, message.parts);
+    if (parts) changeParts(parts, message.parts);
   } else if (message.kind === 'end' && coming) {
     told = coming;
     coming = null;
