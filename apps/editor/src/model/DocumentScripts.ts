@@ -50,6 +50,8 @@ export class DocumentScripts {
   private current: SceneScripts | null = null;
   private isWanted = true;
   private failed: ReadonlyMap<string, ScriptFailure> = NONE;
+  /** Text that each failure's script had when it threw. */
+  private readonly textOf = new WeakMap<ScriptFailure, unknown>();
   private endWatch: () => void = () => {};
   /** Pending while the script compiler and modules are being fetched. */
   private starting: Promise<void> | null = null;
@@ -107,7 +109,7 @@ export class DocumentScripts {
     return this.current?.errors ?? NONE;
   }
 
-  /** The last error that each script threw since the scene began to play, by the script's name. */
+  /** The last error that each script threw, with its present text, since the scene began to play, by script name. */
   get failures(): ReadonlyMap<string, ScriptFailure> {
     return this.failed;
   }
@@ -170,16 +172,21 @@ export class DocumentScripts {
       component: component.typeName,
       object: component.isAttached ? component.gameObject.name : '',
     };
+    this.textOf.set(failure, this.sourceOf(place.script));
     this.failed = new Map([...this.failed, [place.script, failure]]);
     this.changed.emit();
     return failure;
   }
 
-  /** @internal Called when the scene begins to play, or stops. */
+  /** @internal Called when the scene begins to play. */
   forgetFailures(): void {
     if (this.failed.size === 0) return;
     this.failed = NONE;
     this.changed.emit();
+  }
+
+  private sourceOf(script: string): unknown {
+    return this.scene?.assets.fieldAsset(script)?.get('source');
   }
 
   /** Runs the scene's scripts, once it has some. */
@@ -197,7 +204,11 @@ export class DocumentScripts {
 
   private start(options: SceneScriptsOptions): void {
     this.current = new SceneScripts(this.scene!, this.registry!, { ...options, isOn: this.isWanted });
-    this.current.onChange(() => this.changed.emit());
+    this.current.onChange(() => {
+      const kept = [...this.failed].filter(([script, failure]) => this.textOf.get(failure) === this.sourceOf(script));
+      if (kept.length < this.failed.size) this.failed = new Map(kept);
+      this.changed.emit();
+    });
     this.changed.emit();
   }
 }

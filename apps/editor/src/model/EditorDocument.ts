@@ -79,7 +79,6 @@ export class EditorDocument {
     this.unsubscribe = this.watch(this.current);
     this.selection.onSet = () => this.assetSelection.clear();
     this.openScripts(true);
-    this.simulation.changed.subscribe(() => this.simulation.state === 'stopped' || this.scripts.forgetFailures());
   }
 
   get scene(): Scene {

@@ -1,4 +1,4 @@
-import { type Command, type CommandStack, currentOf, labelOfField, SetFields, Signal, t } from '@farol/editing';
+import { type Command, currentOf, labelOfField, SetFields, Signal, t } from '@farol/editing';
 import {
   type Component,
   type FieldAsset,
@@ -12,6 +12,7 @@ import { checkFieldValue, type FieldOwner, type FieldValue, sameValue } from '@f
 import { AddAssets, RemoveAsset } from './commands/AddAssets';
 import { CommandList } from './commands/CommandList';
 import { Sequence } from './commands/Sequence';
+import type { EditorDocument } from './EditorDocument';
 
 /** A field value edited while the scene played. */
 export interface PlayChange {
@@ -41,7 +42,7 @@ export class PlayEdits {
   /** Names of the assets when the scene began to play. */
   private assetsBefore: ReadonlySet<string> = new Set();
 
-  constructor(private readonly document: { readonly commands: CommandStack; readonly scene: Scene }) {}
+  constructor(private readonly document: Pick<EditorDocument, 'commands' | 'scene' | 'scripts'>) {}
 
   /**
    * Values that can be kept. Without fields that no longer exist (a script's text may have changed since), and without
@@ -70,7 +71,8 @@ export class PlayEdits {
   /** Called when the scene begins to play: notes its authored values and assets, and starts collecting edits. */
   begin(): void {
     this.dismiss();
-    const { scene } = this.document;
+    const { scene, scripts } = this.document;
+    scripts.forgetFailures();
     scene.keepAuthored();
     this.assetsBefore = new Set(scene.assets.list());
     this.document.commands.hold();

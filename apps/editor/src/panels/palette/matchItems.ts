@@ -35,7 +35,8 @@ export function matchItems<T extends Findable>(items: readonly T[], query: strin
       const text = `${item.label} ${item.group}`.toLowerCase();
       const help = item.help?.toLowerCase() ?? '';
       const scores = words.map((word) => score(text, word) || (word.length > 2 && help.includes(word) ? HELPED : 0));
-      return { item, sum: scores.includes(0) ? 0 : scores.reduce((a, b) => a + b, 0) };
+      const whole = words.join(' ') === item.label.toLowerCase() ? 1 : 0;
+      return { item, sum: scores.includes(0) ? 0 : scores.reduce((a, b) => a + b, whole) };
     })
     .filter(({ sum }) => sum > 0)
     .toSorted((a, b) => b.sum - a.sum)
