@@ -4,7 +4,6 @@ import type { RecordSettings } from '../lighting/LightRecords';
 import type { LightTable } from '../lighting/LightTable';
 import type { PlainPoints } from '../lights/plainPoints';
 import type { Frame } from './Frame';
-import type { TwinAdapter } from './TwinAdapter';
 
 /**
  * An XR session as a frame sees it: with the first eye, lights are found and shadow maps drawn for all eyes.
@@ -13,15 +12,6 @@ import type { TwinAdapter } from './TwinAdapter';
 export interface Session {
   /** Index of the eye that is drawn, in drawing order. */
   eye: number;
-  /** Adapters of twins that draw both eyes at once, which timer queries cannot measure; null while each eye is drawn separately. */
-  readonly adapters: readonly TwinAdapter[] | null;
-  /** Bytes of the session's own targets. */
-  readonly bytes: number;
-  /** Whether a frame of both eyes must be drawn eye by eye instead. Called when the queue is complete. */
-  refuses(frame: Frame, technique: string, effects: number): boolean;
-  dispose(): void;
-  /** Ends a frame of both eyes, inside three's `render`. */
-  present(frame: Frame): void;
   /**
    * Lights that may have a mask and that any eye sees. Leaves the table as collected for the first eye.
    * @param points - values of plain point lights, as for `LightTable.collect`

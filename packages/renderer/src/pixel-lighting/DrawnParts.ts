@@ -25,8 +25,6 @@ const isOfPicture = ({ name, movesCamera, smoothsEdges, takesPicture, replaces }
  */
 export class DrawnParts implements Session {
   eye = 0;
-  readonly adapters = null;
-  readonly bytes = 0;
   readonly effects: ActiveEffects;
   /** Names of the host's effects that are left out. */
   readonly leftOut: readonly string[];

@@ -32,11 +32,6 @@ export interface FarolOptions {
    * EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
    */
   learning?: boolean;
-  /**
-   * Whether one draw call per object draws both eyes of an XR session, by OVR_multiview2, where device and scene allow it.
-   * Default false.
-   */
-  multiview?: boolean;
   /** Whether each pass is timed by EXT_disjoint_timer_query_webgl2. Default false: then a host's own time queries work. */
   timing?: boolean;
   /**
@@ -87,7 +82,6 @@ export const defaultOptions: Required<FarolOptions> = {
   quality: 'auto',
   budget: null,
   learning: false,
-  multiview: false,
   timing: false,
   effects: [],
   shadowAtlasSize: null,

@@ -59,7 +59,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   declare lightLayers: boolean;
   declare antialias: boolean;
   declare learning: boolean;
-  declare multiview: boolean;
   declare areaLightThreshold: number;
   private readonly frame: Frame;
   private readonly lights = new FrameLights();
@@ -235,7 +234,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       if (webgl.xr.enabled) this.xr ??= xrCode.use((code) => new code.XRDraws(webgl));
       if (!webgl.xr.enabled || !webgl.xr.isPresenting) drawCameras(webgl, scene, camera, this.session, this.drawScene);
       else if (this.xr === null) webgl.render(scene, camera);
-      else this.xr.render(scene, camera, this.multiview, this.drawScene);
+      else this.xr.render(scene, camera, this.drawScene);
       this.last.end();
     } finally {
       Lazy.lacking = outer;
@@ -247,7 +246,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private readonly drawScene: DrawByCamera = (scene, camera, update, updatesCamera, seenBy, session): void => {
     if (this.disposed) return; // by a host's callback, while an earlier camera of the array was drawn
     const eye = session?.eye ?? 0;
-    this.recorder.begin(this.timing && !session?.adapters, eye);
+    this.recorder.begin(this.timing, eye);
     this.twins.begin();
     const byThree = this.frame.queue.refused.begin(scene);
     if (eye === 0) this.finder.find(scene, seenBy, this.lightLayers, update, byThree);

@@ -65,7 +65,7 @@ export class SceneDraws {
     sceneView.seenBy = this.frame.seenBy;
     this.frame.queue.order = sceneView.overdraw?.order ?? null;
     this.effects = effects;
-    this.frame.adapters = this.frame.session?.adapters ?? effects.adapters;
+    this.frame.adapters = effects.adapters;
     this.frame.gbufferExtras = effects.attachments;
   }
 
@@ -83,7 +83,7 @@ export class SceneDraws {
   }
 
   get bytes(): number {
-    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0) + (this.frame.session?.bytes ?? 0);
+    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0);
   }
 
   /** Ends a frame, also one that has failed. */
@@ -96,7 +96,6 @@ export class SceneDraws {
     this.picker.learning?.dispose();
     this.edges?.dispose();
     this.scaled?.dispose();
-    this.frame.session?.dispose();
   }
 
   /** Scales the frame to hold the budget. @returns the scale and its reason; null without a budget, or until its code is loaded */
@@ -111,9 +110,6 @@ export class SceneDraws {
 
   /** Draws the scene. SceneView calls it for three's transmission target if an object transmits, then for the host's target. */
   readonly draw: DrawScene = (backs) => {
-    const { session } = this.frame;
-    const isStereo = session !== null && session.adapters !== null;
-    if (isStereo && session.refuses(this.frame, this.picker.active, this.effects.all.length)) return;
     for (const effect of this.effects.all) {
       if (effect.compute === undefined) continue;
       this.recorder.beginPass(effect.name);
@@ -126,7 +122,6 @@ export class SceneDraws {
     else {
       this.drawFrame();
       if (this.frame.ownsPart) this.run('enlargement', this.enlarge);
-      if (isStereo) session.present(this.frame);
     }
   };
 

@@ -117,7 +117,7 @@ export class TechniquePicker {
     const chooser = (scene.chooser ??= warmUpCode.use((code) => new code.TechniqueChooser<WarmUp>()));
     if (chooser === null) return;
     const figures = warmUpCode.required.figuresOf(frame, table, scene.overdraw, surfaces, floatTargets);
-    const choice = chooser.choose(figures, true);
+    const choice = chooser.choose(figures);
     this.isChanging = chooser.isChanging;
     this.active = choice.technique;
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;

@@ -14,22 +14,6 @@ export function sliceDepth(edge: number, slices: number, distance: number): numb
   return sliceScale(distance) * Math.expm1((EXPONENT * edge) / slices);
 }
 
-/** Number of slices, with fractions, in front of a depth (m): the inverse of `sliceDepth`; `slices` beyond the distance. */
-export function slicesBefore(depth: number, slices: number, distance: number): number {
-  return Math.min(1, Math.log1p(Math.max(0, depth) / sliceScale(distance)) / EXPONENT) * slices;
-}
-
-/**
- * Phase function of Henyey and Greenstein: share of light that is scattered by an angle, per steradian; its integral over all
- * directions is 1.
- * @param cosine - cosine of the angle between the light's directions before and after
- * @param anisotropy - mean cosine, above -1 (backward), below 1 (forward); 0 is uniform
- */
-export function phase(cosine: number, anisotropy: number): number {
-  const squared = anisotropy ** 2;
-  return (1 - squared) / (4 * Math.PI * (1 + squared - 2 * anisotropy * cosine) ** 1.5);
-}
-
 /** Number of froxels across, up and in depth. */
 export type Froxels = readonly [number, number, number];
 

@@ -142,8 +142,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     return this.waited > 0;
   }
 
-  /** @param prepares - whether the caller compiles `next` ahead; else the choice changes at once. Default false */
-  choose(figures: SceneFigures, prepares = false): Choice {
+  choose(figures: SceneFigures): Choice {
     const best = choices[this.best(figures, 1)];
     const { current } = this;
     if (current === null) return (this.current = best);
@@ -160,7 +159,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     this.next = next;
     if (
       impossible ||
-      (next !== null && (!prepares || this.preparation?.ready)) ||
+      (next !== null && this.preparation?.ready) ||
       !(this.settled || holds || this.holds(figures, FAR))
     ) {
       this.current = best;
