@@ -2,7 +2,6 @@ import { type Command, currentOf, labelOfField, SetFields, Signal, t } from '@fa
 import {
   type Component,
   type FieldAsset,
-  type Scene,
   ScriptAsset,
   type SceneSettings,
   SurfaceAsset,
