@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
 import {
   App,
   AssetLibrary,
@@ -53,7 +53,7 @@ export class Viewer {
   private loads = 0;
   private size = '';
   private readonly effects: ViewerEffects;
-  private readonly listeners = new Set<() => void>();
+  private readonly stateChanged = new Signal();
 
   /**
    * @param parent - element that gets the canvas
@@ -289,10 +289,7 @@ export class Viewer {
   }
 
   /** Calls `listener` after each change of the state. @returns a function that removes the listener */
-  onChange(listener: () => void): () => void {
-    this.listeners.add(listener);
-    return () => void this.listeners.delete(listener);
-  }
+  readonly onChange = this.stateChanged.subscribe;
 
   /** Sizes the canvas by the state, or by the page if the state has no size; redraws if the size changed. */
   resize(): void {
@@ -370,7 +367,7 @@ export class Viewer {
     // timer queries cannot be nested: without the menu nobody reads these, and a benchmark may use its own
     this.farol.timing = this.state.gui;
     writeAddress(writeState(this.state, known, this.model === null));
-    for (const listener of this.listeners) listener();
+    this.stateChanged.emit();
     if (!this.app.scene.activeCamera) return; // the first scene is still loading
     if (this.state.time === null) this.app.start();
     else this.app.stop();

@@ -11,7 +11,7 @@ export class Inspector {
     ...{ type: 'search', placeholder: t('Find a field'), autocomplete: 'off', spellcheck: false },
     'aria-label': t('Find a field'),
   });
-  private readonly none = element('p', { className: 'hint', hidden: true }, t('No field here is called that.'));
+  private readonly none = element('p', { className: 'hint', hidden: true }, t('No field matches the search.'));
   private sections: { title: string; details: HTMLElement; inputs: FieldInput[] }[] = [];
   private inputs: FieldInput[] = [];
   private readonly end: () => void;

@@ -137,7 +137,7 @@ export const es: Texts = {
   Angle: 'Ángulo',
   'A layer of varnish.': 'Una capa de barniz.',
   'Find a field': 'Buscar un campo',
-  'No field here is called that.': 'Ningún campo se llama así.',
+  'No field matches the search.': 'Ningún campo coincide con la búsqueda.',
   Height: 'Alto',
   Automatic: 'Automático',
   Frame: 'Fotograma',

@@ -1,8 +1,10 @@
+import { Signal } from '@farol/editing';
+
 /** Audio output of the page, which browsers block until the user's first press. */
 class AudioOutput {
   private isMuted = false;
   private isHeldBack = false;
-  private readonly listeners = new Set<() => void>();
+  private readonly changed = new Signal();
 
   /** Whether all sounds of all scenes are muted; they continue silently. */
   get muted(): boolean {
@@ -12,7 +14,7 @@ class AudioOutput {
   set muted(muted: boolean) {
     if (muted === this.isMuted) return;
     this.isMuted = muted;
-    this.tell();
+    this.changed.emit();
   }
 
   /** Whether a sound is blocked until the user's first press. */
@@ -21,10 +23,7 @@ class AudioOutput {
   }
 
   /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that removes the listener */
-  onChange(listener: () => void): () => void {
-    this.listeners.add(listener);
-    return () => this.listeners.delete(listener);
-  }
+  readonly onChange = this.changed.subscribe;
 
   /**
    * @internal Whether an AudioContext may be made and heard; if not yet, waits for the user's first press.
@@ -41,11 +40,7 @@ class AudioOutput {
   private hold(isHeldBack: boolean): void {
     if (isHeldBack === this.isHeldBack) return;
     this.isHeldBack = isHeldBack;
-    this.tell();
-  }
-
-  private tell(): void {
-    for (const listener of this.listeners) listener();
+    this.changed.emit();
   }
 }
 

@@ -18,7 +18,7 @@ export const engine: MessageTable = {
     "El recurso '{name}' no se descargó: {origin} no está permitido. Hay que abrir la escena de nuevo y permitirlo.",
   "The prefab '{name}' would hold itself, by its object '{object}': take that one out, or unpack it.":
     "El prefab '{name}' se contendría a sí mismo, por su objeto '{object}': hay que sacarlo, o desempaquetarlo.",
-  // faults of files
+  // errors of files
   'the file is empty: choose it again.': 'el archivo está vacío: hay que elegirlo de nuevo.',
   'its bytes are not PNG, JPEG or WebP: was another file renamed?':
     'sus bytes no son PNG, JPEG ni WebP: ¿se cambió el nombre de otro archivo?',
