@@ -25,9 +25,7 @@ afterAll(() => void vi.unstubAllGlobals());
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/**
- * Representation of a map in glTF: its used channels, and material values that the extension is not written without.
- */
+/** Representation of a map in glTF: its used channels, and material values that the extension needs. */
 interface Held {
   readonly channels: string;
   readonly needs?: Values;
