@@ -31,7 +31,7 @@ async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts
     modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
     compile: compileScript,
     run: ({ name, code }) => {
-      // oxlint-disable-next-line no-eval -- stands for the script element that runs the code in a page
+      // oxlint-disable-next-line no-eval -- runs code as a page's script element does
       (0, eval)(code);
       return takeGiven(name);
     },

@@ -36,7 +36,7 @@ async function sceneOf(...ids: string[]): Promise<{ scene: Scene; items: GameObj
     modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
     compile: compileScript,
     run: ({ name, code }) => {
-      // oxlint-disable-next-line no-eval -- stands for the script element that runs the code in a page
+      // oxlint-disable-next-line no-eval -- runs code as a page's script element does
       (0, eval)(code);
       return takeGiven(name);
     },
