@@ -126,10 +126,10 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
   );
 }
 
-/** Whether the charts call the two times a tie, see `compareSpreads`. */
+/** Whether two times count as a tie, see `compareSpreads`. */
 const isTie = (times: ComparedRow['times']): boolean => times !== null && compareSpreads(...times) === 0;
 
-/** Relation of the second run to the first. */
+/** Ratio of the second run to the first, in words. */
 function ratioWords(ratio: number | null): string {
   if (ratio === null) return t('no figure in one of them');
   if (kindOf(ratio) === 'same') return t('the same within 3%');

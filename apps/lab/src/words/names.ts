@@ -20,7 +20,7 @@ export function competitorHelp(name: string): string {
 }
 
 const inSentences: Readonly<Record<string, string>> = {
-  // the label's comma would read as the end of an item in a list
+  // without the label's comma, which would separate items in a list
   'forward-single-pass': 'single-pass forward',
   stock: 'three’s WebGLRenderer',
   multipass: 'naive multipass',
@@ -39,7 +39,7 @@ export function isTechnique(name: string): boolean {
   return name !== 'auto' && competitorKind(name) === 'farol';
 }
 
-/** Maker of a competitor; null if this version does not know it. */
+/** Kind of a competitor; null if this version does not know it. */
 export function competitorKind(name: string): 'farol' | 'three' | 'rival' | null {
   return known.get(name)?.kind ?? null;
 }
@@ -61,8 +61,8 @@ export function namedValue(axis: 'kind' | 'shading', value: number): string {
 }
 
 /**
- * A value with its unit: `1 light`, `2,500 objects`; pixels of a known case as `1280 × 720`; the name along an axis of
- * names.
+ * A value with its unit: `1 light`, `2,500 objects`; pixels of a known case as `1280 × 720`; the name of the value
+ * along an axis of names.
  */
 export function valueText(axis: Axis, value: number, labCase?: LabCase): string {
   if (axis === 'pixels' && labCase) return `${labCase.width} × ${labCase.height}`;
@@ -81,7 +81,7 @@ export function caseText({ axis, cases, values }: LabSeries, index: number): str
 export const byMetric = (metric: Metric): string =>
   metric === 'frame' ? '' : `, ${t('by {time}', { time: t(metricWords[metric].noun) })}`;
 
-/** Names of the metrics: on buttons, within texts, and an explanation. */
+/** Texts of the metrics: label for buttons, noun within texts, and explanation. */
 export const metricWords: Readonly<Record<Metric, { label: string; noun: string; help: string }>> = {
   frame: {
     label: 'Frame',

@@ -1,12 +1,12 @@
 import { Signal } from '@farol/editing';
 
-/** The page's one way to be heard: browsers keep it shut until the user has pressed something. */
+/** Audio output of the page, which browsers block until the user's first press. */
 class AudioOutput {
   private isMuted = false;
   private isHeldBack = false;
   private readonly changed = new Signal();
 
-  /** Whether every sound of every scene is silent; they go on. */
+  /** Whether all sounds of all scenes are muted; they continue silently. */
   get muted(): boolean {
     return this.isMuted;
   }
@@ -17,12 +17,12 @@ class AudioOutput {
     this.changed.emit();
   }
 
-  /** Whether a sound would be heard, had the user pressed anything yet. */
+  /** Whether a sound is blocked until the user's first press. */
   get isWaiting(): boolean {
     return this.isHeldBack;
   }
 
-  /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that ends it */
+  /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that removes the listener */
   readonly onChange = this.changed.subscribe;
 
   /**

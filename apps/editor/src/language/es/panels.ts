@@ -13,7 +13,7 @@ export const panels: Texts = {
   'Factor above what a screen can show': 'Factor por encima de lo que muestra una pantalla',
   Microshaders: 'Microshaders',
   'Search: {label}': 'Buscar: {label}',
-  'Nothing of that name.': 'Nada con ese nombre.',
+  'Nothing matches the search.': 'Nada coincide con la búsqueda.',
   'Clear {label}': 'Vaciar {label}',
   Clear: 'Vaciar',
   Everything: 'Todo',
@@ -49,13 +49,13 @@ export const panels: Texts = {
   'Filter messages': 'Filtrar mensajes',
   Filter: 'Filtrar',
   'No messages yet.': 'Todavía no hay mensajes.',
-  'Nothing like that.': 'Nada parecido.',
+  'No message matches the filter.': 'Ningún mensaje coincide con el filtro.',
   Messages: 'Mensajes',
   'Repeated {count} times': 'Repetido {count} veces',
   Uses: 'Usos',
   Problems: 'Problemas',
   'Being made…': 'En preparación…',
-  'What glTF cannot hold:': 'Lo que glTF no puede contener:',
+  'Not supported by glTF:': 'Lo que glTF no puede contener:',
   'Web page': 'Página web',
   'glTF binary': 'glTF binario',
   'Export {name}': 'Exportar {name}',
@@ -70,14 +70,14 @@ export const panels: Texts = {
   Link: 'Enlace',
   'Link to the scene': 'Enlace a la escena',
   'Embed code': 'Código para insertar',
-  'Put the exported web page beside your own, and this into it:':
+  'Put the exported web page beside your own, and this code into yours:':
     'La página exportada se pone junto a la propia, y en esta va:',
   'Close message': 'Cerrar el mensaje',
   'Unsaved work was found': 'Hay trabajo sin guardar',
   'The editor was closed before these scenes were saved.': 'El editor se cerró antes de guardar estas escenas.',
   Discard: 'Descartar',
   Recover: 'Recuperar',
-  'What is left for later stays: “Recover…” in the menu File offers it again.':
+  'Scenes left for later are kept: “Recover…” in the menu File offers them again.':
     'Lo que se deja para después se conserva: «Recuperar…», en el menú Archivo, lo vuelve a ofrecer.',
   Later: 'Después',
   'Edge between {first} and {second}': 'Borde entre {first} y {second}',
@@ -139,7 +139,7 @@ export const panels: Texts = {
   'Reset all': 'Restablecer todo',
   'All keys': 'Todas las teclas',
   'Mouse and more': 'Ratón y más',
-  'Broken: the last good text is drawn': 'Con errores: se dibuja el último texto válido',
+  'Does not compile: the last valid text is used': 'Con errores: se dibuja el último texto válido',
   'Of this scene': 'De esta escena',
   'Edited in this scene': 'Editado en esta escena',
   'As built in': 'Como viene incorporado',
@@ -181,7 +181,7 @@ export const panels: Texts = {
   Keep: 'Conservar',
   '{label} differs from the prefab': '{label} difiere del prefab',
   'Revert to prefab': 'Volver al prefab',
-  'It has {value}.': 'Tiene {value}.',
+  'The prefab has {value}.': 'El prefab tiene {value}.',
   'Apply to prefab': 'Aplicar al prefab',
   'Every instance without a value of its own follows.': 'La siguen todas las instancias sin valor propio.',
   Prefab: 'Prefab',
@@ -208,7 +208,7 @@ export const panels: Texts = {
   'nobody looks': 'nadie mira',
   'Open on a phone': 'Abrir en un teléfono',
   'Asking the server for its address…': 'Preguntando al servidor su dirección…',
-  'This server answers this machine alone. Stop it, and start it so that your network reaches it:':
+  'This server answers only this machine. Stop it, and start it for your network by:':
     'Este servidor solo responde a esta máquina. Hay que pararlo y arrancarlo de modo que la red llegue a él:',
   Command: 'Orden',
   'A phone or a headset in the same network shows the scene under this address, and follows each edit. Only those who have the address can look.':

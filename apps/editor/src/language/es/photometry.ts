@@ -1,4 +1,4 @@
-/** Units, lamps and colour temperatures of lights, exposure of cameras. */
+/** Spanish texts of light units, lamps and colour temperatures, and of the exposure of cameras. */
 export const photometry = {
   'Whether the colour is chosen by hand, or is that of a temperature.':
     'Si el color se elige a mano o es el de una temperatura.',

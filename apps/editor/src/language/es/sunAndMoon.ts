@@ -1,4 +1,4 @@
-/** Sun, moon and sky by date and place. */
+/** Spanish texts of sun, moon and sky by date and place. */
 export const sunAndMoon = {
   'Sun And Moon': 'Sol y luna',
   'Sun and moon': 'Sol y luna',

@@ -7,7 +7,7 @@ interface FieldGroupProps {
   /** Key under which the folded state is stored. */
   readonly id: string;
   readonly title: string;
-  /** Whether the group is folded by default; read once, so that editing folds nothing. */
+  /** Whether the group is folded by default; called once, so that edits never fold it. */
   readonly isFoldedAtFirst: () => boolean;
   readonly children: ReactNode;
 }

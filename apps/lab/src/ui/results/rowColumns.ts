@@ -31,7 +31,7 @@ export interface RowColumn {
 
 const order = Object.keys(competitorNames);
 
-/** Rows of a run with their cases. Rows of series or cases outside of the plan are left out. */
+/** Rows of a run with their cases. Rows whose series or case is not in the plan are left out. */
 export function tableRows({ plan, rows }: Pick<LabRun, 'plan' | 'rows'>): TableRow[] {
   return rows.flatMap((row) => {
     const seriesIndex = plan.series.findIndex(({ name }) => name === row.series);

@@ -7,7 +7,7 @@ export const bakeCode = new LateCode(
 );
 
 /**
- * Fetches the code that lights scenes by baked light.
+ * Fetches the code that displays baked light, which most scenes do not need.
  * @throws Error (as a rejection) when it cannot be fetched; try again
  */
 export const loadBakeCode = () => bakeCode.load();

@@ -1,20 +1,20 @@
-/** Exponent of the slices: the last is e to this power as thick as the first, about. */
+/** Exponent of the slices: the last is about e to this power times as thick as the first. */
 export const EXPONENT = 4;
 
 /**
- * Scale (m) of the slices of depth between the eye and a distance: slice edge `i` of `n` lies at `scale (e^(4 i / n) - 1)`.
+ * Scale (m) of the slices of depth between the eye and a distance: edge `i` of `n` slices is at `scale (e^(4 i / n) - 1)`.
  * @param distance - depth at which the last slice ends (m), above 0
  */
 export function sliceScale(distance: number): number {
   return distance / Math.expm1(EXPONENT);
 }
 
-/** Depth (m) of a slice's edge. @param edge - 0 (the eye) to `slices` (the distance), fractions between edges */
+/** Depth (m) of a slice's edge. @param edge - 0 (the eye) to `slices` (at `distance`), with fractions between edges */
 export function sliceDepth(edge: number, slices: number, distance: number): number {
   return sliceScale(distance) * Math.expm1((EXPONENT * edge) / slices);
 }
 
-/** Froxels across, up and away. */
+/** Number of froxels across, up and in depth. */
 export type Froxels = readonly [number, number, number];
 
 /** Numbers of froxels, by quality. */

@@ -5,7 +5,7 @@ const SLICE = 12;
 
 let began = 0;
 
-/** Yields to the page when work has gone on for `SLICE`; to be awaited between small pieces of work. */
+/** Yields to the page when work has lasted for `SLICE` (ms); awaited between small pieces of work. */
 export async function breathe(): Promise<void> {
   const now = performance.now();
   if (now - began < SLICE) return;
