@@ -20,6 +20,12 @@ export class LateCode<Code> {
     return (this.loading ??= this.begin());
   }
 
+  /** The code; null until it is there: then `again` is called. A failure is told on the console. */
+  codeOr(again: () => void): Code | null {
+    if (this.code === null) this.load().then(again, (error: Error) => console.error(`Farol: ${error.message}`));
+    return this.code;
+  }
+
   private begin(): Promise<Code> {
     const promise = this.fetch()
       .then(

@@ -12,7 +12,7 @@ import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/Scene';
-import { decalCode, decalsEffect, loadDecalCode } from './decalCode';
+import { decalCode, decalsEffect } from './decalCode';
 
 const blendings = {
   normal: NormalBlending,
@@ -77,14 +77,10 @@ export class Decal extends component({
   }
 
   override onEnterScene(scene: Scene): void {
-    const code = decalCode();
-    if (code === null) {
-      loadDecalCode().then(
-        () => this.scene === scene && this.box === null && this.onEnterScene(scene),
-        (error: Error) => console.error(`Farol: ${error.message}`),
-      );
-      return;
-    }
+    const code = decalCode.codeOr(() => {
+      if (this.scene === scene && this.box === null) this.onEnterScene(scene);
+    });
+    if (code === null) return;
     this.material = scene.assets.materials.acquire(this.surface()) as MeshStandardMaterial;
     this.box = new code.Decal(this.material);
     this.box.name = this.gameObject.name;
