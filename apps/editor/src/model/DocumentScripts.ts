@@ -41,7 +41,7 @@ export class DocumentScripts {
   /** Emits when a script is compiled, fails or is removed, when one throws, and when scripts are switched on or off. */
   readonly changed = new Signal();
 
-  /** Why scripts are off, while the user has yet to decide whether they run; null when there is nothing to decide. */
+  /** Why scripts are off, until the user decides whether they run; null when there is nothing to decide. */
   question: OffReason | null = null;
 
   private held: OffReason | null = null;
@@ -78,27 +78,27 @@ export class DocumentScripts {
     return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
   }
 
-  /** Switches scripts off, in this scene and those opened next, until the user switches them on; `framed` ones cannot be. */
+  /** Switches scripts off, in this scene and the next ones, until the user switches them on; `framed` forbids that. */
   hold(reason: OffReason): void {
     this.isOn = false;
     this.held = this.question = reason;
     this.changed.emit();
   }
 
-  /** Switches all scripts off, because some came into this scene from elsewhere, until the user decides whether they run. */
+  /** Switches all scripts off until the user decides, since some were added to this scene from elsewhere. */
   ask(): void {
     if (!this.isWanted) return;
     this.question = 'foreign';
     this.isOn = false;
   }
 
-  /** Leaves scripts off at the user's wish; the question is not asked again for this scene. */
+  /** Keeps scripts off, as the user decided; the question is not asked again for this scene. */
   keepOff(): void {
     this.question = null;
     this.changed.emit();
   }
 
-  /** The types of a registry but those that scripts made: each opened scene gets the types of its own scripts. */
+  /** The types of a registry except those defined by scripts: each opened scene gets the types of its own scripts. */
   withoutScripts(registry: ComponentRegistry): ComponentRegistry {
     const others = [...registry.types.values()].filter((type) => this.current?.scriptOf(type) == null);
     return new ComponentRegistry(others, { keepUnknown: registry.keepsUnknown });

@@ -11,7 +11,7 @@ import './palette.css';
 import { componentItems, fieldItems } from './fieldItems';
 import { LINES, objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
 
-/** Palette of all actions, and objects of the scene, found by typing. */
+/** Palette of all actions, and of the scene's objects, searched by typing. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const [query, setQuery] = useState('');
@@ -41,7 +41,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const run = (item: PaletteItem | undefined): void => {
     if (!item) return;
     onClose();
-    // deferred, so that the focus is back at its former place when the command runs
+    // deferred, so that the focus has returned to its former element when the command runs
     requestAnimationFrame(() => editor.attempt(() => item.run()));
   };
   const keyDown = (event: KeyboardEvent): void => {
@@ -102,7 +102,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
           </li>
         ))}
       </ul>
-      {found.length === 0 && <p className="palette-empty">{t('Nothing of that name.')}</p>}
+      {found.length === 0 && <p className="palette-empty">{t('Nothing matches the search.')}</p>}
     </>
   );
 }

@@ -1,13 +1,13 @@
-/** An item that can be found by its label. */
+/** An item that is searched by its label. */
 export interface Findable {
   readonly label: string;
   /** Group shown with the item, such as 'Technique'. */
   readonly group: string;
-  /** Text, such as a help, that is searched for whole words; they rank below those of label and group. */
+  /** Text, such as a help text, in which whole words are searched; matches rank below those in label and group. */
   readonly help?: string;
 }
 
-/** Rank of a word that only the help of an item has. */
+/** Rank of a word that occurs only in an item's help. */
 const HELPED = 0.5;
 
 /** Rank of a text for a query whose letters it contains in order; 0 when it does not. */
