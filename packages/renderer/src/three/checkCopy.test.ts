@@ -8,7 +8,7 @@ const Other = { prototype: {} };
 /** A renderer of a class of three's, without a device. @param engine - name of three on its canvas; null for an OffscreenCanvas */
 function rendererOf(copy: { readonly prototype: object }, engine: string | null): WebGLRenderer {
   const domElement = engine === null ? {} : { getAttribute: () => engine };
-  return Object.assign(Object.create(copy.prototype) as object, { domElement }) as WebGLRenderer;
+  return Object.assign(Object.create(copy.prototype) as object, { domElement }) as unknown as WebGLRenderer;
 }
 
 it('takes renderers of its own copy of three, and of classes that extend them', () => {
