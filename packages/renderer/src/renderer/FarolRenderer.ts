@@ -1,5 +1,6 @@
 import { type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
+import { checkCopy } from '../three/checkCopy';
 import { drawCameras, type DrawByCamera } from './drawCameras';
 import type { Session } from '../frame/Session';
 import { checkDevice } from '../gpu/checkDevice';
@@ -89,6 +90,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   ) {
     super();
     checkDevice(webgl, false);
+    checkCopy(webgl);
     this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LazyViews(this.microshaders);
