@@ -8,26 +8,26 @@ import { isReadable } from '../../three/vertexData';
 const SIDE = 8;
 /** Number of frames from one estimate to the next. */
 const INTERVAL = 32;
-/** Number of opaque items beyond which nothing is estimated: the CPU takes longer than the GPU then. */
+/** Number of opaque items beyond which nothing is estimated, since the CPU then takes longer than the GPU. */
 const MOST_ITEMS = 1000;
-/** Maximum number of a geometry's vertices, evenly spread, of which its box is made. */
+/** Maximum number of a geometry's vertices, evenly spread, from which its box is computed. */
 const SAMPLES = 64;
 /** Share of a cell that an item must cover to hide what is behind it. */
 const HIDES = 0.5;
-/** Shaded pixels that take a GPU as long as a change of material takes the CPU: 2 µs, at 0.5 ns a pixel. */
+/** Number of pixels that a GPU shades (0.5 ns each) while the CPU changes material (2 µs). */
 const PIXELS_A_CHANGE = 4000;
 /** Clip-space w below which a corner counts as behind the camera. */
 const BEHIND = 1e-3;
 
 /**
- * Front to back by octaves of depth, which spares shading of what is hidden; within an octave as `byState`, which spares
+ * Order front to back by octaves of depth, which saves shading of hidden pixels; within an octave as `byState`, which saves
  * changes of material.
  */
 export function byOctave(a: RenderListItem, b: RenderListItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || octaveOf(a.z) - octaveOf(b.z) || byState(a, b);
 }
 
-/** Octave of a depth, from 1/1024 (m) on; 0 for what is nearer, or behind the camera. */
+/** Octave of a depth (m), from 1/1024 on; 0 for nearer depths, and behind the camera. */
 const octaveOf = (z: number): number => 32 - Math.clz32(Math.max(0, z * 1024));
 
 /** Parts of a frame that an estimate reads. */
@@ -47,7 +47,7 @@ const depths = new Float32Array(SIDE * SIDE);
 const covered = new Float32Array(SIDE * SIDE);
 /** Projection × view × world. */
 const m = new Float64Array(16);
-/** Items in another order than that of the frame; empty between estimates. */
+/** Items of the frame sorted by the other order; empty between estimates. */
 const reordered: RenderItem[] = [];
 /** Rectangle of an item in cells: left, right, bottom, top; then its depth. */
 const rectangle = new Float64Array(5);
@@ -62,11 +62,11 @@ export class Overdraw {
   layers = 0;
   /** Number of triangles of the items that a depth pre-pass would draw. */
   triangles = 0;
-  /** `RenderQueue.order`: by octaves where that spares the GPU more than its changes of material cost; else null. */
+  /** `RenderQueue.order`: by octaves if that saves more GPU time than its changes of material cost the CPU; else null. */
   order: typeof byOctave | null = null;
   private frames = 0;
 
-  /** Counts a frame, which has been drawn. */
+  /** Counts a drawn frame, and estimates anew in every 32nd. */
   follow({ camera, queue: { opaque, order }, width, height }: EstimatedFrame): void {
     if (this.frames++ % INTERVAL !== 0) return;
     const isFirst = this.frames === 1;
@@ -75,7 +75,7 @@ export class Overdraw {
       this.order = null;
       return;
     }
-    // a host's getter that threw may have left some
+    // an estimate that a host's getter ended by throwing may have left items here
     reordered.length = opaque.length;
     for (let i = 0; i < opaque.length; i++) reordered[i] = opaque[i];
     reordered.sort(order === null ? byOctave : byState);
@@ -133,7 +133,7 @@ function draw(): number {
   return drawn;
 }
 
-/** Sets `rectangle` to that of a box. @returns false where the camera does not see it */
+/** Projects a box to `rectangle`. @returns false where the camera does not see the box */
 function project(box: Float32Array, { matrixWorld }: Object3D, camera: Camera): boolean {
   multiply(camera.matrixWorldInverse.elements, matrixWorld.elements);
   const depth = (m[2] * (box[0] + box[3]) + m[6] * (box[1] + box[4]) + m[10] * (box[2] + box[5])) / 2 + m[14];
@@ -187,9 +187,9 @@ function trianglesOf(object: Object3D, { index, attributes, drawRange }: BufferG
   return ((group === null ? all : Math.min(all, group.count)) / 3) * (isInstancedMesh ? count : 1);
 }
 
-/** Box of an item in the space of its object; null where it is not known. */
+/** Box of an item in its object's space; null if unknown. */
 function boxOf(object: Object3D, geometry: BufferGeometry): Float32Array | null {
-  // instances, batches and skins have bounds of their own, which three computes to cull them
+  // instances, batches and skins have their own bounds, which three computes to cull them
   const { boundingSphere } = object as Object3D & { boundingSphere?: Sphere | null };
   if (boundingSphere === undefined) {
     let box = boxes.get(geometry);
