@@ -206,7 +206,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * frames of the host's: for the first one, one after missing code or a lost context. Hosts that draw on demand draw again on
    * the event 'redraw'.
    *
-   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the mend (later frames and calls
+   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the remedy (later frames and calls
    * try again), and when this renderer is disposed.
    */
   get ready(): Promise<void> {
@@ -368,7 +368,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Frees the GPU resources; the next frame makes them anew. Also called when the context is lost: if disposed after its return,
+   * Frees the GPU resources; the next frame creates them again. Also called when the context is lost: if disposed after its return,
    * three would delete old handles in the new context.
    */
   private readonly free = (): void => {

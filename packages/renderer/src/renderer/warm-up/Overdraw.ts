@@ -55,7 +55,7 @@ const rectangle = new Float64Array(5);
 /**
  * Estimate of how often the opaque items of a scene shade a pixel that a later one hides: the boxes of items, in the order in
  * which they are drawn, over 8 × 8 cells of the picture. Against counts: atrium 1.0 (1.2), temple 0.2 (0.3), a room of planes
- * 0.5 (0.1), dragons 0.4 (0.2). Made anew every 32 frames, half of it from the one before; without allocation.
+ * 0.5 (0.1), dragons 0.4 (0.2). Computed again every 32 frames, as the mean of old and new; without allocation.
  */
 export class Overdraw {
   /** Shadings beyond the first, of a pixel on average. */
