@@ -16,6 +16,8 @@ export type ItemRoute = 'split' | 'plain' | 'ordered' | 'forward';
 
 /** One draw as three's traversal gives it, of the host's material (or the scene's override). Pooled: valid for the frame only. */
 export interface RenderItem extends RenderListItem {
+  /** Place of the material among opaque items, see `RenderQueue.ranks`. */
+  rank: number;
   shading: ItemShading;
   route: ItemRoute;
   /** Whether the material's shader is changed, by the host or a surface. */
