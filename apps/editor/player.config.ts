@@ -31,7 +31,7 @@ function withoutRapier(): Plugin {
   return {
     name: 'farol-no-rapier',
     enforce: 'pre',
-    // built packages import files with an extension
+    // packages in `dist` import with an extension, sources without
     resolveId: (source, importer) => (importer && /\/loadRapier(\.js)?$/.test(source) ? own : null),
   };
 }
@@ -96,7 +96,7 @@ async function buildScript(entry: string, name: string, fromSource: boolean, plu
   });
   const outputs = (Array.isArray(result) ? result : [result]).flatMap((each) => ('output' in each ? each.output : []));
   const script = outputs.find((output) => output.type === 'chunk');
-  if (!script) throw new Error('The player gave no script.');
+  if (!script) throw new Error('The build of the player has no script: see its entry in player.config.ts.');
   return script.code;
 }
 
@@ -112,7 +112,7 @@ async function playerPage(runsScripts: boolean): Promise<string> {
     .replace('./farol-player.js', `./${script}`);
 }
 
-/** The page that follows an editor, see `src/player/live/main.ts`; of the development server alone. */
+/** The page that follows an editor, see `src/player/live/main.ts`; only the development server has it. */
 async function livePage(server: ViteDevServer): Promise<string> {
   const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
   const page = text.replace(

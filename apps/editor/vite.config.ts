@@ -8,10 +8,10 @@ import { wholeThree } from '@farol/tools/wholeThree';
 import { defineConfig } from 'vite';
 import { playerPlugin } from './player.config.ts';
 
-/** Files of the first frame, which are there when code that is fetched late names them. */
+/** Files of the first frame, which are loaded when late code imports them. */
 const initial = /^assets\/(index|three|rolldown-runtime)-/;
 
-/** Modules of the engine that only opened files need; those of their folders that the first scene needs are named. */
+/** Modules of the engine that are only needed to open files; those that the first scene needs are excepted. */
 const openingFiles = [
   /^files\/(?!(preloadFileCode|serialize|assetUses|FarolFile|restoreComponent|readComponent|ProblemList|FilePath)\.)\w+\.js$/,
   /^guard\/(checkDepth|checkModel|signature|unpack|exr\/readExrHeader|pictures\/(imageSize|pictureMemory)|zip\/\w+)\.js$/,
@@ -25,8 +25,8 @@ function opensFiles(id: string): boolean {
 }
 
 /**
- * Files to fetch at once with a file that is imported late: its imports that are not there yet. The
- * file itself is asked for a moment later, so it is named only where styles, which are waited for first, come with it.
+ * Files to fetch at once with a file that is imported late: its imports that are not loaded yet. The file itself is
+ * requested a moment later anyway; it is included only when it has styles, which are awaited first.
  */
 function resolveDependencies(
   file: string,
@@ -81,10 +81,10 @@ export default defineConfig(({ command }) => ({
   build: {
     target: 'es2022',
     chunkSizeWarningLimit: 2000,
-    // every browser with what the renderer needs preloads modules by itself, but Safari 16, which does without
+    // every supported browser preloads modules by itself, except Safari 16, which works without
     modulePreload: { polyfill: false, resolveDependencies },
     rolldownOptions: {
-      // three has hundreds of constants; one that is written out packs better than a name of its own
+      // three has hundreds of constants; an inlined one compresses better than a variable
       optimization: { inlineConst: { mode: 'all', pass: 3 } },
       output: {
         // the first frame's code is in few files, which compress better and are requested at once
@@ -97,14 +97,14 @@ export default defineConfig(({ command }) => ({
               priority: 5,
               includeDependenciesRecursively: false,
             },
-            // what reads models: an index of the engine's names it too, but only files that are opened need it
+            // code that reads models: the engine's index imports it too, but only opened files need it
             {
               name: 'models',
               test: /[\\/]engine[\\/]dist[\\/]chunks[\\/](guard[\\/]gltf[\\/]|assets[\\/]readModel|files[\\/]packGltf)/,
               priority: 5,
               includeDependenciesRecursively: false,
             },
-            // what opens files: an index of the engine's names it beside what the first scene needs
+            // code that opens files: the engine's index imports it beside code that the first scene needs
             {
               name: 'files',
               test: opensFiles,
@@ -112,7 +112,7 @@ export default defineConfig(({ command }) => ({
               includeDependenciesRecursively: false,
             },
             { name: 'initial', tags: ['$initial'], priority: 3 },
-            // panels that are open at first, in two files: seventy small ones take longer to ask for than to read
+            // panels open at first, in two files: requesting seventy small files takes longer than reading them
             { name: 'viewport-panel', test: /[\\/](ViewportPanel|Toolbar)\.tsx$/, priority: 2 },
             { name: 'panels', test: /[\\/](Hierarchy|Inspector|Assets)Panel\.tsx$/, priority: 1 },
           ],

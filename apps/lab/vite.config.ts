@@ -23,7 +23,7 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  // late imports: without this list the development server would reload the page when a scene needs one
+  // late imports are listed: otherwise the development server reloads the page when a scene needs one
   optimizeDeps: {
     entries: ['index.html', 'stage.html'],
     include: [

@@ -12,7 +12,7 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  // late imports: without this list the development server would reload the page when a model needs one
+  // late imports: if they are not listed, the development server reloads the page when a model needs one
   optimizeDeps: {
     entries: ['index.html'],
     include: [

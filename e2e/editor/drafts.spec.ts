@@ -75,7 +75,7 @@ own(
 
       // nobody does anything: it is tried again
       await fill(false);
-      await expect(notices).toContainText('Drafts are kept again.');
+      await expect(notices).toContainText('Drafts are stored again.');
       await expect(notices).not.toContainText('no drafts');
       await expect(status(page)).toHaveCount(0);
       await drafts(page);

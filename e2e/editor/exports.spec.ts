@@ -131,7 +131,7 @@ async function checkGltf(page: Page, reader: Page, name: string): Promise<void> 
   await openDialog(page);
   const asItIs = await exportedGlb(page);
   expect(await glbProblems(asItIs), `${name} as it is`).toEqual([]);
-  await expect(page.getByRole('region', { name: 'glTF' })).toContainText('What glTF cannot hold');
+  await expect(page.getByRole('region', { name: 'glTF' })).toContainText('Not supported by glTF');
   await closeDialog(page);
 
   await keepWhatGltfHolds(page);

@@ -122,7 +122,7 @@ test('numbers take what people type, say why they do not, and give the keys back
   await expect(page.locator('.inspector [data-field]')).toHaveCount(2);
   await expect(page.getByRole('region', { name: 'Transform' })).toBeHidden();
   await find.fill('nothing like it');
-  await expect(page.getByText('No field here is called that.')).toBeVisible();
+  await expect(page.getByText('No field matches the search.')).toBeVisible();
   await find.press('Escape');
   await expect(page.getByRole('region', { name: 'Transform' })).toBeVisible();
 

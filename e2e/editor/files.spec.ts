@@ -120,7 +120,7 @@ shared('a prefab: made, placed, changed, overridden, applied, reverted', async (
   await page.getByRole('treeitem', { name: 'Point light' }).nth(2).click();
   await expect(page.getByRole('group', { name: 'Prefab' })).toContainText('1 override');
   await mark.click();
-  await expect(page.getByRole('menuitem', { name: 'Revert to prefab' })).toContainText('It has 50.');
+  await expect(page.getByRole('menuitem', { name: 'Revert to prefab' })).toContainText('The prefab has 50.');
   await page.getByRole('menuitem', { name: 'Revert to prefab' }).click();
   expect(await intensities()).toEqual([50, 50, 50]);
   expect((await history(page)).at(-1)).toBe('Reverted intensity of Point light 3 to its prefab');

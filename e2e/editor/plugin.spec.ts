@@ -174,5 +174,5 @@ test('a plugin whose names are taken is refused as a whole', async ({ page }) =>
   expect(message).toContain("the action 'edit.undo'");
   await page.keyboard.press('Control+k');
   await page.getByRole('combobox', { name: 'Search commands' }).fill('clash.new');
-  await expect(page.getByText('Nothing of that name.')).toBeVisible();
+  await expect(page.getByText('Nothing matches the search.')).toBeVisible();
 });

@@ -162,7 +162,7 @@ test('sliders, labels that are dragged, a filter for fields, and the keys of the
   expect([await roughness(), await steps()]).toEqual([0.15, before + 2]);
 
   await filter.fill('no such field');
-  await expect(page.getByText('No field here is called that.')).toBeVisible();
+  await expect(page.getByText('No field matches the search.')).toBeVisible();
   await filter.press('Escape');
   await expect(page.getByRole('spinbutton', { name: 'Position x' })).toBeVisible();
 

@@ -93,7 +93,7 @@ test('a run that is cancelled keeps the rows that it has @verify', async ({ page
 test('says what helps without WebGL 2, and where the frame that is measured does not open', async ({ page }) => {
   await page.route('**/stage.html', (route) => route.abort());
   await page.goto('./');
-  await expect(page.getByText(/The frame that is measured did not open .*: reload the page/)).toBeVisible();
+  await expect(page.getByText(/The frame that draws did not load .*: reload the page/)).toBeVisible();
   await expect(page.getByRole('button', { name: /Measure this machine/ })).toBeDisabled();
 
   await page.addInitScript(() => {

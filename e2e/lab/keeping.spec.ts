@@ -95,7 +95,7 @@ test('without a store the run stays on the page, and a sentence says so', async 
   });
   await page.goto('./');
   await page.getByLabel('Runs to import').setInputFiles(runFile('laptop.json', laptop));
-  await expect(library(page).getByText(/^laptop\.json: .* lets this page store nothing/)).toBeVisible();
+  await expect(library(page).getByText(/^laptop\.json: .* does not let this page store data/)).toBeVisible();
   await expect(page.getByRole('heading', { name: 'Laptop', exact: true })).toBeVisible();
   expect((await exported(page, 'JSON')).name).toBe('farol-lab-laptop-2026-11-22.json');
 });

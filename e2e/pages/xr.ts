@@ -8,7 +8,6 @@ import { compareImages, isFlat } from '../support/images';
 import { isSlice, techniquesInTurn } from './techniquesInTurn';
 import { countGpuObjects } from './gpuObjects';
 import { loseContext, type PageImage } from './Bench';
-import { countDraws, multiviewScene } from './multiviewScene';
 import { shadowScene } from './shadowScene';
 
 /** The headset of the page, emulated: its canvas stands for the framebuffer of the session's layer, an eye a half. */
@@ -115,8 +114,6 @@ const xrPage = {
   compareImages,
   isFlat,
   shadowScene,
-  multiviewScene,
-  countDraws,
   techniquesInTurn,
   isSlice,
   countGpuObjects,

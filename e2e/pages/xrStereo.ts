@@ -2,10 +2,9 @@ import type { FarolInfo, TechniqueName } from '@farol/renderer';
 import { scenes } from '@farol/scenes';
 import * as three from 'three';
 import type { FarolRenderer } from '@farol/renderer';
-import { countDraws } from './multiviewScene';
 
-/** Ways to draw: one eye without a session, both eyes one after the other, both at once. */
-const modes = ['mono', 'stereo', 'multiview'] as const;
+/** Ways to draw: one eye without a session, both eyes in one. */
+const modes = ['mono', 'stereo'] as const;
 export type StereoMode = (typeof modes)[number];
 
 export interface StereoOptions {
@@ -24,7 +23,7 @@ export interface StereoTimes {
   batch: number;
   /** Milliseconds a frame until all calls have returned. */
   calls: number;
-  /** Milliseconds a frame by EXT_disjoint_timer_query_webgl2; null where it has none, as for both eyes at once. */
+  /** Milliseconds a frame by EXT_disjoint_timer_query_webgl2; null where it has none. */
   gpu: number | null;
   /** Draws of WebGL a frame. */
   draws: number;
@@ -42,6 +41,19 @@ interface StereoBench {
 }
 
 const median = (values: number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1] ?? NaN;
+
+/** Calls of draws of WebGL while a function runs. */
+function countDraws(gl: WebGL2RenderingContext, run: () => void): number {
+  let draws = 0;
+  const names = ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'] as const;
+  for (const name of names) {
+    const own = gl[name].bind(gl) as (...args: unknown[]) => void;
+    Object.assign(gl, { [name]: (...args: unknown[]) => (draws++, own(...args)) });
+  }
+  run();
+  for (const name of names) Reflect.deleteProperty(gl, name);
+  return draws;
+}
 
 /** Times the atrium in a session: see `StereoTimes`. One of its lamps moves, so that shadow maps are drawn in each frame. */
 export async function timeStereo(
@@ -65,7 +77,6 @@ export async function timeStereo(
   let viewport = new three.Vector4();
   const draw = (mode: StereoMode) => {
     made.update(1 / 60);
-    farol.multiview = mode === 'multiview';
     if (mode !== 'mono') return farol.render(scene, camera);
     const layer = webgl.getRenderTarget()!;
     const whole = layer.viewport.clone();
@@ -77,10 +88,7 @@ export async function timeStereo(
     webgl.setRenderTarget(layer);
     webgl.xr.enabled = true;
   };
-  for (const multiview of [false, true]) {
-    farol.multiview = multiview;
-    await bench.settle(technique, scene, camera);
-  }
+  await bench.settle(technique, scene, camera);
   await bench.frame(() => {
     const [first] = webgl.xr.getCamera().cameras as (three.PerspectiveCamera & { viewport: three.Vector4 })[];
     eye.projectionMatrix.copy(first.projectionMatrix);
@@ -112,8 +120,7 @@ export async function timeStereo(
         finish();
         turns[i].batch.push((performance.now() - begin) / frames);
       });
-      // a query while both eyes are drawn at once is an error
-      if (timer === null || mode === 'multiview') continue;
+      if (timer === null) continue;
       const query = gl.createQuery();
       await bench.frame(() => {
         gl.beginQuery(timer.TIME_ELAPSED_EXT, query);

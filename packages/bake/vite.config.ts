@@ -6,8 +6,8 @@ import { libraryConfig } from '../tools/libraryConfig.mjs';
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 /**
- * Names the worker's source in the map of the module that holds its text: Vite leaves that map without a source. The map
- * of the worker's own script, of which no file is written, is taken out of `dist`.
+ * Adds the worker's source to the source map of the module that contains its text, which Vite leaves empty, and removes
+ * the source map of the worker's own script, of which no file is written, from `dist`.
  */
 const mapWorker = (): Plugin => ({
   name: 'farol-map-worker',
@@ -24,9 +24,9 @@ const mapWorker = (): Plugin => ({
 const config = libraryConfig(new URL('.', import.meta.url), { preserveModules: true, preserveModulesRoot: 'src' });
 
 /**
- * The published package: a file for each module, so that an app loads code of its first frame alone; three is left to the
- * host. The worker is within its module, xatlas and all: no tool of a host has to find a file. What xatlas imports in Node
- * stays as it is.
+ * The published package: one file per module, so that an app loads only the code of its first frame; three is a peer
+ * dependency. The worker's text, with xatlas, is inside its module, so that bundlers need not find a file. xatlas's
+ * imports for Node are left as they are.
  */
 export default defineConfig({
   ...config,

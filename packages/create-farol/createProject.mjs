@@ -12,10 +12,10 @@ import path, { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const templates = fileURLToPath(new URL('templates', import.meta.url));
-/** Name in the files of the templates, replaced by the project's. */
+/** Project name in the template files, replaced by the new project's. */
 const NAME = 'farol-app';
 
-/** Kinds of projects: what the question says of each, and the folders that it is copied from, later ones over earlier. */
+/** Kinds of projects: description in the question, and the template folders to copy, later ones over earlier ones. */
 export const kinds = /** @type {const} */ ({
   plain: { label: 'three.js alone', folders: ['base', 'lamps', 'plain'] },
   react: { label: 'React Three Fiber', folders: ['base', 'lamps', 'react'] },
@@ -24,10 +24,10 @@ export const kinds = /** @type {const} */ ({
 
 /** @typedef {keyof typeof kinds} Kind */
 
-/** Packages that those of a project depend on: with tarballs, npm has to be told where these are as well. */
+/** Packages of Farol that other ones depend on: with tarballs, npm needs the paths of these too. */
 export const behind = { '@farol/engine': ['@farol/editing', '@farol/renderer'] };
 
-/** A sentence for the user: what is wrong with an answer, and what to do. */
+/** Error with a sentence for the user: what is wrong with an answer, and what to do. */
 export class CreateError extends Error {}
 
 /**
@@ -52,7 +52,7 @@ export function folderProblem(folder) {
 }
 
 /**
- * Name of a package by the name of its folder: what npm allows, in small letters.
+ * Package name from a folder's name: only characters that npm allows, in lower case.
  *
  * @param {string} folder
  */
@@ -69,7 +69,7 @@ export function packageName(folder) {
  * Writes the files of a project.
  *
  * @param {Project} project
- * @throws {CreateError} when the folder is not empty, or the scene or tarballs are not there; nothing is written then
+ * @throws {CreateError} when the folder is not empty, or the scene or tarballs do not exist; nothing is written then
  */
 export function createProject({ folder, kind, typescript, scene = null, tarballs = null }) {
   const problem = folderProblem(folder);
@@ -80,7 +80,7 @@ export function createProject({ folder, kind, typescript, scene = null, tarballs
   if (tarballs !== null) useTarballs(folder, manifest, farolTarballs(tarballs));
 
   for (const part of folders) cpSync(join(templates, part), folder, { recursive: true });
-  // npm leaves files of that name out of packages
+  // npm omits .gitignore files from packages
   renameSync(join(folder, '_gitignore'), join(folder, '.gitignore'));
   if (scene !== null) putScene(folder, scene);
   const name = packageName(folder);
@@ -95,7 +95,7 @@ function edit(file, change) {
 }
 
 /**
- * Puts a saved scene in the sample's place, by the name `scene` and its own ending.
+ * Replaces the sample by a saved scene, named `scene` with its own extension.
  *
  * @param {string} folder
  * @param {string} scene
@@ -108,7 +108,7 @@ function putScene(folder, scene) {
 }
 
 /**
- * Gives the sources endings of JavaScript, which they are but for these, and takes TypeScript out.
+ * Renames the sources to JavaScript, which their text already is, and removes TypeScript.
  *
  * @param {string} folder
  * @param {{ scripts: Record<string, string>, devDependencies: Record<string, string> }} manifest - changed
@@ -124,7 +124,7 @@ function toJavaScript(folder, manifest) {
 }
 
 /**
- * Tarballs of Farol's packages in a folder, by the names of the packages.
+ * Finds the tarballs of Farol's packages in a folder, by package name.
  *
  * @param {string} tarballs
  * @returns {Map<string, string>} paths
@@ -141,7 +141,7 @@ function farolTarballs(tarballs) {
 }
 
 /**
- * Has npm take Farol's packages from tarballs.
+ * Makes npm install Farol's packages from tarballs.
  *
  * @param {string} folder
  * @param {{ dependencies: Record<string, string> }} manifest - changed
@@ -157,11 +157,11 @@ function useTarballs(folder, manifest, packed) {
 }
 
 /**
- * Address of a file as package.json names it.
+ * Specifier of a file in package.json.
  *
  * @param {string} folder - absolute path of the folder with package.json
  * @param {string} file - absolute path
- * @param {Pick<typeof path, 'relative'>} [paths] - Node's `path` of another system, for tests
+ * @param {Pick<typeof path, 'relative'>} [paths] - Node's `path` of another operating system, for tests
  */
 export function fileSpecifier(folder, file, { relative } = path) {
   return `file:${relative(folder, file).replaceAll('\\', '/')}`;

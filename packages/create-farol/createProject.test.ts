@@ -104,7 +104,7 @@ it('asks for the versions that the repository is tested with, and later ones tha
         `node_modules/${name}`,
       ];
       const { version } = locked[places.find((place) => place in locked)!];
-      // three and packages below 1.0 promise nothing between minor versions
+      // three and packages below 1.0 may break compatibility between minor versions
       expect(range, name).toBe(`${/three$|rapier/.test(name) ? '~' : '^'}${version}`);
     }
   }

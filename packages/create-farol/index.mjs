@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm create farol`: asks for what its options leave open, writes a project, and installs its packages. */
+/** `npm create farol`: asks for everything that its options leave open, writes a project, and installs its packages. */
 import { spawnSync } from 'node:child_process';
 import { basename, isAbsolute, relative, resolve } from 'node:path';
 import { createInterface } from 'node:readline';
@@ -83,21 +83,21 @@ function kindOf(answer) {
   return names.find((name, i) => answer === name || answer === String(i + 1)) ?? null;
 }
 
-/** @param {string} answer - yes where it is empty */
+/** @param {string} answer - empty means yes */
 function yesOrNo(answer) {
   return /^(y(es)?)?$/i.test(answer) ? true : /^no?$/i.test(answer) ? false : null;
 }
 
-/** @param {string} path - for a shell */
+/** @param {string} path - path, for a shell */
 function quoted(path) {
   return /\s/.test(path) ? `"${path}"` : path;
 }
 
 /**
- * Function that asks until an answer is understood. It takes the default, as for an empty answer, where nothing is to be
- * asked, or nobody answers: the input is at its end.
+ * Makes a function that asks until an answer is valid. It uses the default, as for an empty answer, without asking or
+ * at the end of the input.
  *
- * @param {boolean} areDefaults - whether nothing is asked
+ * @param {boolean} areDefaults - whether defaults are used without asking
  */
 function questions(areDefaults) {
   /** @type {import('node:readline').Interface | null} */
@@ -121,7 +121,7 @@ function questions(areDefaults) {
 
 /** @param {string} manager @param {string} folder @returns {boolean} whether all packages are installed */
 function install(manager, folder) {
-  const script = manager === 'npm' ? process.env.npm_execpath : undefined; // so that no shell is needed
+  const script = manager === 'npm' ? process.env.npm_execpath : undefined; // no shell needed
   const [command, ...args] = script?.endsWith('.js') ? [process.execPath, script, 'install'] : [manager, 'install'];
   const shell = command === manager && process.platform === 'win32';
   return spawnSync(command, args, { cwd: folder, stdio: 'inherit', shell }).status === 0;

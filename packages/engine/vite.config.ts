@@ -3,7 +3,7 @@ import { defineConfig, type Plugin } from 'vite';
 import { libraryConfig } from '../tools/libraryConfig.mjs';
 import { runModule } from '../tools/valueModules.mjs';
 
-/** Writes the schema of scene files, which is made of the tables of fields, beside the entries. */
+/** Writes the JSON schema of scene files, made from the field tables, next to the entries. */
 const schema: Plugin = {
   name: 'farol:scene-schema',
   async generateBundle() {
@@ -13,8 +13,8 @@ const schema: Plugin = {
 };
 
 /**
- * The published package: a file for each module, so that an app loads code of its first frame alone; three and the
- * renderer are left to the host.
+ * The published package: one file per module, so that an app loads only the code of its first frame; three and the
+ * renderer are peer dependencies.
  */
 const config = libraryConfig(new URL('.', import.meta.url), { preserveModules: true, preserveModulesRoot: 'src' });
 export default defineConfig({ ...config, plugins: [config.plugins, schema] });

@@ -7,9 +7,9 @@ const isOfHost = leftToHost(readManifest(import.meta.dirname));
 
 const banner = ({ name }: { name: string }): string => (name === 'cli' ? '#!/usr/bin/env node' : '');
 
-/** The published bundle, for Node: dependencies and Node's own modules are left to the host. */
+/** The published bundle, for Node: dependencies and Node's own modules stay imports. */
 export default defineConfig(
-  // the command's first line, which shells run it by; declarations may not begin with one
+  // the first line of the command (shebang); declaration files may not begin with one
   mergeConfig(libraryConfig(new URL('.', import.meta.url), { banner }), {
     build: {
       ssr: true,

@@ -5,7 +5,7 @@ import { libraryConfig } from '../tools/libraryConfig.mjs';
 
 const mainEntry = join(fileURLToPath(new URL('src', import.meta.url)), 'index.ts');
 
-/** The modules that the main entry imports at start, directly or not; `import()` is not followed. */
+/** Modules that the main entry imports statically, directly or indirectly. */
 const coreModules = new Set<string>();
 
 type Imports = { getModuleInfo(id: string): { importedIds: readonly string[] } | null };
@@ -13,14 +13,14 @@ type Imports = { getModuleInfo(id: string): { importedIds: readonly string[] } |
 function coreOf(graph: Imports): ReadonlySet<string> {
   if (coreModules.size > 0) return coreModules;
   coreModules.add(mainEntry);
-  // iteration of a set goes on to what is added meanwhile
+  // iterating a set also visits members added meanwhile
   for (const id of coreModules) for (const each of graph.getModuleInfo(id)?.importedIds ?? []) coreModules.add(each);
   return coreModules;
 }
 
 /**
- * The published bundle: an ES module for each of the package's entries, what they share in chunks, the peers left to the
- * host. What the main entry needs at start is one chunk, whichever other entries share it: it is smaller whole.
+ * The published bundle: an ES module for each of the package's entries, shared chunks, and peer dependencies left to the host.
+ * All static imports of the main entry form one chunk, since that compresses better.
  */
 export default defineConfig(
   libraryConfig(new URL('.', import.meta.url), {

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { dirname, join, normalize } from 'node:path/posix';
 import { gzipSync } from 'node:zlib';
-import { parseSync } from 'vite';
+import { importsOf } from './importsOf.mjs';
 
 /**
  * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. What renderer/lazyCode.ts fetches
@@ -30,9 +30,8 @@ export function bundleSize(folder, entry = 'index.js') {
     if (sizes.has(file)) return;
     const source = read(join(folder, file));
     sizes.set(file, gzipSync(source, { level: 9 }).length);
-    for (const specifier of importsOf(file, source)) {
-      if (specifier.startsWith('.')) add(normalize(join(dirname(file), specifier)));
-    }
+    for (const { specifier, kind } of importsOf(file, source))
+      if (kind === 'value' && specifier.startsWith('.')) add(normalize(join(dirname(file), specifier)));
   };
   add(entry);
   return [...sizes.values()].reduce((sum, size) => sum + size, 0);
@@ -58,15 +57,4 @@ function read(file) {
   } catch (error) {
     throw new Error(`${file} is not there: build the package first.`, { cause: error });
   }
-}
-
-/** @param {string} file @param {string} source @returns {string[]} */
-function importsOf(file, source) {
-  const { module } = parseSync(file, source);
-  return [
-    ...module.staticImports.map((entry) => entry.moduleRequest.value),
-    ...module.staticExports.flatMap(({ entries }) =>
-      entries.flatMap(({ moduleRequest }) => (moduleRequest ? [moduleRequest.value] : [])),
-    ),
-  ];
 }

@@ -1,5 +1,6 @@
-import { dirname, join, normalize } from 'node:path/posix';
+import { dirname, join } from 'node:path/posix';
 import { parseSync } from 'vite';
+import { importsOf, targetOf } from './importsOf.mjs';
 
 /**
  * How many files the largest import circle of a folder may have, 0 for no circle at all: `static` by static imports of values,
@@ -78,9 +79,6 @@ export function circlesOverLimit(circles, limits) {
   });
 }
 
-/** Endings that complete a specifier to the path of a file. */
-const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
-
 /**
  * Files of the set that a file imports.
  *
@@ -88,35 +86,19 @@ const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
  * @returns {{ static: string[], types: string[], fetched: string[] }}
  */
 function targetsOf(path, source, files) {
-  const parsed = parseSync(path, source);
-  const { module } = parsed;
-  const resolved = (/** @type {string} */ specifier) => {
-    if (!specifier.startsWith('.')) return [];
-    const target = normalize(join(dirname(path), specifier)).replace(/\/$/, '');
-    const ending = ENDINGS.find((each) => files.has(target + each));
-    return ending === undefined ? [] : [target + ending];
-  };
-  const ofTypes = (/** @type {{ start: number }} */ { start }) => /^(import|export)\s+type\b/.test(source.slice(start));
-  const specifiers = [
-    ...module.staticImports.map((entry) => ({ specifier: entry.moduleRequest.value, isType: ofTypes(entry) })),
-    ...module.staticExports.flatMap((statement) =>
-      statement.entries.flatMap(({ moduleRequest }) =>
-        moduleRequest ? [{ specifier: moduleRequest.value, isType: ofTypes(statement) }] : [],
-      ),
-    ),
-  ];
-  const named = (/** @type {boolean} */ type) =>
-    specifiers.filter(({ isType }) => isType === type).map(({ specifier }) => specifier);
-  const fetched = module.dynamicImports.flatMap(
-    ({ moduleRequest: { start, end } }) => /^['"](.*)['"]$/.exec(source.slice(start, end))?.[1] ?? [],
-  );
-  const starts = new Set(module.dynamicImports.map(({ start }) => start));
-  const isAllFetched = [...source.matchAll(/\bimport\(\s*['"]\./g)].every(({ index }) => starts.has(index));
+  const imports = importsOf(path, source).filter(({ specifier }) => specifier.startsWith('.'));
+  const named = (/** @type {import('./importsOf.mjs').ImportKind} */ kind) =>
+    imports.filter((each) => each.kind === kind).map(({ specifier }) => specifier);
+  const resolved = (/** @type {string[]} */ specifiers) =>
+    specifiers.flatMap((specifier) => targetOf(join(dirname(path), specifier), files) ?? []);
+  const fetched = named('fetched');
+  // making and walking the tree is slow: only where there is an import() that fetches nothing
+  const isAllFetched = [...source.matchAll(/\bimport\(\s*['"]\./g)].length <= fetched.length;
+  const ofTypes = isAllFetched ? [] : importTypesOf(parseSync(path, source).program);
   return {
-    static: named(false).flatMap(resolved),
-    // making and walking the tree is slow: only where there is an import() that fetches nothing
-    types: [...named(true), ...(isAllFetched ? [] : importTypesOf(parsed.program))].flatMap(resolved),
-    fetched: fetched.flatMap(resolved),
+    static: resolved(named('value')),
+    types: resolved([...named('type'), ...ofTypes.filter((specifier) => specifier.startsWith('.'))]),
+    fetched: resolved(fetched),
   };
 }
 

@@ -153,7 +153,7 @@ describe('the direction of imports', () => {
       'packages/renderer/src/renderer/X.ts',
       "import type { W } from '../effects/w'; export type { V } from '../effects/w';",
     ],
-    ['packages/renderer/src/renderer/X.ts', "import { type W, type V } from '../effects/w';"],
+    ['packages/renderer/src/renderer/X.ts', "import type { W, V } from '../effects/w';"],
     [
       'packages/renderer/src/renderer/lazyCode.ts',
       "const w = () => import('../effects/w'); import type { W } from '../effects/w';",

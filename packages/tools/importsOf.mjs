@@ -14,21 +14,19 @@ import { parseSync } from 'vite';
  */
 export function importsOf(path, source) {
   const { module } = parseSync(path, source);
-  const text = (/** @type {{ start: number, end: number }} */ { start, end }) => source.slice(start, end);
-  /** @returns {Import} */
-  const found = (/** @type {string} */ specifier, /** @type {ImportKind} */ kind) => ({ specifier, kind });
+  /** `import { type X }` is of values: it loads the module. @returns {ImportKind} */
+  const kindOf = (/** @type {{ start: number }} */ { start }) =>
+    /^(import|export)\s+type\b/.test(source.slice(start, start + 20)) ? 'type' : 'value';
   return [
-    ...module.staticImports.map(({ moduleRequest, entries }) =>
-      found(moduleRequest.value, entries.length > 0 && entries.every(({ isType }) => isType) ? 'type' : 'value'),
-    ),
-    ...module.staticExports.flatMap(({ entries }) =>
-      entries.flatMap(({ moduleRequest, isType }) =>
-        moduleRequest ? [found(moduleRequest.value, isType ? 'type' : 'value')] : [],
+    ...module.staticImports.map((each) => ({ specifier: each.moduleRequest.value, kind: kindOf(each) })),
+    ...module.staticExports.flatMap((statement) =>
+      statement.entries.flatMap(({ moduleRequest }) =>
+        moduleRequest ? [{ specifier: moduleRequest.value, kind: kindOf(statement) }] : [],
       ),
     ),
-    ...module.dynamicImports.flatMap(({ moduleRequest }) => {
-      const specifier = /^['"](.*)['"]$/.exec(text(moduleRequest))?.[1];
-      return specifier === undefined ? [] : [found(specifier, 'fetched')];
+    ...module.dynamicImports.flatMap(({ moduleRequest: { start, end } }) => {
+      const specifier = /^['"](.*)['"]$/.exec(source.slice(start, end))?.[1];
+      return specifier === undefined ? [] : [{ specifier, kind: /** @type {const} */ ('fetched') }];
     }),
   ];
 }
@@ -36,10 +34,12 @@ export function importsOf(path, source) {
 /**
  * Resolves a relative import to a file.
  *
- * @param {string} path - joined, without ending
+ * @param {string} path - joined; its ending may be left out
  * @param {ReadonlyMap<string, unknown>} files - by path
  * @returns {string | undefined} undefined for what is no such file, such as a shader
  */
 export function targetOf(path, files) {
-  return [path, `${path}.ts`, `${path}.tsx`, `${path}/index.ts`].find((each) => files.has(each));
+  const target = path.replace(/\/$/, '');
+  const ending = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'].find((each) => files.has(target + each));
+  return ending === undefined ? undefined : target + ending;
 }

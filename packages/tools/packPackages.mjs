@@ -33,7 +33,9 @@ export function tarballName({ name, version }) {
  */
 export function checkBuilt(checkout) {
   for (const { folder, path, manifest } of builtPackages(checkout)) {
-    const files = Object.values(manifest.exports).map((entry) => (typeof entry === 'string' ? entry : entry?.default));
+    const files = Object.values(manifest.exports).flatMap((entry) =>
+      typeof entry === 'string' ? entry : [entry?.types, entry?.default],
+    );
     const missing = files.find((file) => file && !file.includes('*') && !existsSync(join(path, file)));
     if (missing) throw new Error(`${folder} has no ${missing}: npm run pack builds the packages and packs them.`);
   }

@@ -19,7 +19,9 @@ beforeEach(() => {
 afterEach(() => rmSync(checkout, { recursive: true }));
 
 it('packs no package that is not built', () => {
-  expect(() => checkBuilt(checkout)).toThrow('packages/lamp has no ./dist/index.js: npm run pack');
-  writeFileSync(join(checkout, 'packages/lamp/dist/index.js'), '');
+  for (const name of ['index.d.ts', 'index.js']) {
+    expect(() => checkBuilt(checkout)).toThrow(`packages/lamp has no ./dist/${name}: npm run pack`);
+    writeFileSync(join(checkout, 'packages/lamp/dist', name), '');
+  }
   expect(() => checkBuilt(checkout)).not.toThrow();
 });

@@ -122,7 +122,7 @@ export class Editor implements EditorApi {
     guardScripts(this.document);
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
     this.viewport.shareMicroShaders = (registry) => this.microShaders.addRegistry(registry);
-    // fetched before the first frame, which may need them
+    // fetched before the first frame, which may need these microshaders
     const read = (build: (assets: AssetLibrary) => Promise<Scene>): Promise<Scene | null> => this.readNext(build);
     this.ready = this.viewport.farol.addLazyMicroShaders().then(() => openFirst(this, scene, read));
   }
@@ -213,7 +213,7 @@ export class Editor implements EditorApi {
         ),
       );
       if (!scene) return false;
-      // asked last, once the file is known to be valid
+      // the user is asked last, once the file is known to be valid
       if (!(await this.mayLoseChanges())) {
         const { assets } = scene;
         scene.dispose();
@@ -323,7 +323,7 @@ export class Editor implements EditorApi {
     this.notices.show('warning', text, 'plugin');
   }
 
-  /** Adds the file that was just opened to the recent ones. */
+  /** Adds the file that was just opened to the recent files. */
   private remember(bytes: Uint8Array): void {
     const content = new Blob([bytes as Uint8Array<ArrayBuffer>]);
     this.attempt(async () => {
@@ -347,7 +347,7 @@ export class Editor implements EditorApi {
 
   private watchPicture(): void {
     const { viewport, notices } = this;
-    /** Ids of notices that drawing fails, and the time of the last failure (ms). */
+    /** Ids of notices that drawing failed. */
     const failures = new Set<number>();
     let failedAt = 0;
     let timer: ReturnType<typeof setTimeout> | undefined;

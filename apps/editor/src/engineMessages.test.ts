@@ -65,12 +65,12 @@ test('a message within another, and one of two, are put into Spanish; what nobod
 test('the console and the notices speak the language that is shown', async () => {
   const log = new ConsoleLog();
   const notices = new Notices(log);
-  const message = "The asset 'a.png' is unknown: it is gone already.";
+  const message = "The asset 'a.png' is not in the library any more: choose another one.";
   notices.show('error', message);
   expect(log.entries[0].text).toBe(message);
   vi.stubGlobal('document', { documentElement: {} });
   await showLanguage('es');
   notices.show('error', message);
-  expect(notices.current.at(-1)!.text).toBe("El recurso 'a.png' ya no existe.");
-  expect(log.entries.at(-1)!.text).toBe("El recurso 'a.png' ya no existe.");
+  expect(notices.current.at(-1)!.text).toBe("El recurso 'a.png' ya no existe: hay que elegir otro.");
+  expect(log.entries.at(-1)!.text).toBe("El recurso 'a.png' ya no existe: hay que elegir otro.");
 });

@@ -9,9 +9,9 @@ const idle = (): Promise<void> =>
   });
 
 /**
- * Fetches, once the page is idle, the code for selecting, copying, opening, dropping and saving, and the samples, which the
- * first frame does not need; not where the user has the browser save data. A failure is ignored: the code is then fetched when
- * needed.
+ * Fetches, once the page is idle, the code for selecting, copying, opening, dropping and saving, and the samples, which
+ * the first frame does not need; nothing when the user has switched on the browser's data saver. A failure is ignored:
+ * the code is then fetched when needed.
  *
  * @returns whether everything was fetched, so that these work offline
  */
@@ -44,7 +44,7 @@ export async function fetchAhead(): Promise<boolean> {
     ]);
     return true;
   } catch {
-    // the code that needs it reports the failure
+    // code that imports it later reports the failure
     return false;
   }
 }

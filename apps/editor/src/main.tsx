@@ -21,7 +21,7 @@ import { InLanguage } from './ui/InLanguage';
 
 declare global {
   interface Window {
-    /** Exposed for tests and for the console, see the class. */
+    /** Exposed for tests and the console, see class Editor. */
     editor: Editor;
   }
 }
@@ -59,7 +59,7 @@ function start(problem: Error | null): void {
     editor.autosave = await startAutosave(editor, opened, (recovery) => void recent.then(() => offer(recovery)));
   };
   const loadRecent = async (): Promise<void> => (await import('./files/recent/noteRecent')).loadRecent(editor);
-  // without its code the welcome page has no recent files
+  // without its code the welcome page shows no recent files
   const recent = loadRecent().catch(() => {});
   editor.attempt(autosave);
   void opened.then(() => {

@@ -18,7 +18,7 @@ import { runPlan } from './run/runPlan';
 export interface HandleOptions {
   /** Command line that started the run, saved in `surroundings` of its JSON. */
   readonly command?: string | null;
-  /** Versions in addition to those of the page, such as that of the build under `against/`. */
+  /** Versions in addition to those that the page knows, such as that of the build under `against/`. */
   readonly versions?: Readonly<Record<string, string>>;
   /** Competitors and cases with which the browser crashed: they are not opened again. */
   readonly crashes?: readonly Crash[];
@@ -40,27 +40,23 @@ export interface TextFile {
 /** Interface of the page under `?headless`, its `window.lab`: the Lab without a user interface, for `npm run bench`. */
 export interface LabHandle {
   readonly competitors: Readonly<Record<string, CompetitorWords>>;
-  /**
-   * Configuration of an address's fragment.
-   *
-   * @throws Error that names all its errors
-   */
+  /** Parses an address's fragment. @throws Error that names all its errors */
   configurationOf(fragment: string): Configuration;
-  /** Configuration of the page's large button. */
+  /** Configuration of the page's quick run. */
   quickFor(device: { software: boolean }): Configuration;
-  /** @throws Error that names what is out of bounds */
+  /** Makes the plan of a configuration. @throws Error naming the value that is out of bounds */
   planOf(configuration: Configuration): LabPlan;
   /**
    * Measures a plan. Competitors with `@against` at the end of their key are drawn by the build under `against/`.
    *
-   * @throws Error (as a rejection) during another run, or if the frame that draws does not open
+   * @throws Error (as a rejection) during another run, or if the frame with the stage does not load
    */
   run(plan: LabPlan, options?: HandleOptions): Promise<LabRun>;
   /** Surroundings of a run that would begin now. */
   surroundings(): Promise<LabSurroundings>;
   /** Cancels the run, whose promise then resolves with the rows so far. */
   cancel(): void;
-  /** Plan of the cases that a cancelled or late run has left to measure. */
+  /** Plan of the cases that a cancelled run, or one whose time was up, has not measured. */
   remaining(run: LabRun): LabPlan;
   /** Merges parts of one run; rows of later parts replace those of earlier ones. @throws Error if they do not match */
   merge(plan: LabPlan, parts: readonly LabRun[]): LabRun;
@@ -131,7 +127,7 @@ const caseOf = (plan: LabPlan, { series, index }: LabRow): unknown =>
 
 function configurationIn(fragment: string): Configuration {
   const linked = configurationOf(fragment);
-  if (!linked) throw new Error('The address asks for nothing: give a preset, as in #preset=quick.');
+  if (!linked) throw new Error('The address has no configuration: give a preset, as in #preset=quick.');
   if (linked.problems.length > 0) throw new Error(linked.problems.join('\n'));
   return linked.configuration;
 }

@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { Signal, t } from '@farol/editing';
 import {
   App,
   AssetLibrary,
@@ -32,13 +32,13 @@ import { ViewerEffects } from './ViewerEffects';
 const LONG = 1000;
 
 /**
- * The thesis's App: a scene over the whole page, drawn by any technique. Its state is in the address of the page and
- * changes with the address, by the menu, or by these methods, which tests and benchmarks call as `window.viewer`.
+ * The thesis's App: a scene over the whole page, drawn by any technique. Its state is in the page's address; the
+ * address, the menu and these methods change it. Tests and benchmarks call the methods on `window.viewer`.
  *
  * With a fixed time (`?time=`) nothing moves and no loop runs: each call that changes the picture draws one frame.
  */
 export class Viewer {
-  /** Fulfilled when the first scene is loaded and drawn. */
+  /** Resolves when the first scene is loaded and drawn. */
   readonly ready: Promise<void>;
   readonly app: App;
   readonly messages: Messages;
@@ -53,7 +53,7 @@ export class Viewer {
   private loads = 0;
   private size = '';
   private readonly effects: ViewerEffects;
-  private readonly listeners = new Set<() => void>();
+  private readonly stateChanged = new Signal();
 
   /**
    * @param parent - element that gets the canvas
@@ -73,18 +73,18 @@ export class Viewer {
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
     watchPixelRatio(() => this.resize());
-    // effects are fetched before the first frame, so that it is drawn with all of them
+    // effects are fetched before the first frame, which is then drawn with all of them
     this.ready = Promise.all([FarolRenderer.preload(), this.effects.fetch(this.state)]).then(() =>
       this.chooseScene(state.scene),
     );
-    this.ready.catch(() => {}); // a message says it already; whoever awaits `ready` gets the error too
+    this.ready.catch(() => {}); // a message is displayed already; callers that await `ready` get the error too
   }
 
   get farol(): FarolRenderer {
     return this.app.renderer;
   }
 
-  /** three's renderer, by which Farol draws. */
+  /** three's renderer that Farol draws with. */
   get three(): WebGLRenderer {
     return this.app.webgl;
   }
@@ -113,12 +113,12 @@ export class Viewer {
     this.changed({ technique: name });
   }
 
-  /** Draws by a technique, or by `otherwise`, with a message, if the device cannot. */
+  /** Draws with a technique; if the device cannot run it, with `otherwise`, and displays a message. */
   chooseTechnique(name: string, otherwise = this.farol.technique): void {
     this.choose(name, otherwise, (one) => this.setTechnique(one));
   }
 
-  /** Shows a view, or `otherwise`, with a message, if the device cannot. */
+  /** Shows a view; if the device cannot draw it, `otherwise`, and displays a message. */
   chooseView(name: string, otherwise = this.farol.view): void {
     this.choose(name, otherwise, (one) => this.setView(one));
   }
@@ -141,7 +141,7 @@ export class Viewer {
   }
 
   /**
-   * Chooses how edges are smoothed: a key of `known.antialiasing`.
+   * Chooses the anti-aliasing: a key of `known.antialiasing`.
    * @throws Error naming the known ones when there is no such anti-aliasing
    */
   setAntialiasing(name: string): void {
@@ -151,7 +151,7 @@ export class Viewer {
     this.changed({ aa: name });
   }
 
-  /** Switches an effect on or off, or sets a number of it. @param name - a key of `known.effects` */
+  /** Switches an effect on or off, or sets one of its numbers. @param name - key of `known.effects` */
   setEffect(name: string, value: FieldValue): void {
     this.changed({ effects: { ...this.state.effects, [name]: value } });
   }
@@ -161,7 +161,7 @@ export class Viewer {
     this.changed({ decals: on });
   }
 
-  /** Fills the scene with `count` particles that shine; 0 for none. */
+  /** Fills the scene with `count` particles that are lights; 0 for none. */
   setParticles(count: number): void {
     this.changed({ particles: count });
   }
@@ -172,9 +172,9 @@ export class Viewer {
   }
 
   /**
-   * Loads and shows a scene of the engine. Of several calls at once the last one counts.
+   * Loads and shows a scene of the engine. A later call cancels earlier ones.
    *
-   * @param parameters - values of its parameters; the rest have their defaults
+   * @param parameters - values of its parameters; absent ones have their defaults
    * @param keepCamera - whether the camera keeps its pose
    * @throws Error (as a rejection) when there is no such scene or a parameter is wrong; the current scene stays
    */
@@ -192,7 +192,7 @@ export class Viewer {
   /**
    * Shows a scene, or a message if it cannot be shown.
    *
-   * @param parameters - those that the scene does not have are ignored; the state's by default
+   * @param parameters - values of parameters, by default the state's; those unknown to the scene are ignored
    */
   async chooseScene(name: string, keepCamera = false, parameters = this.state.parameters): Promise<void> {
     const fields = scenes[name]?.parameters ?? {};
@@ -210,7 +210,7 @@ export class Viewer {
   /**
    * Shows the model among some files. If it cannot be read, a message says why and the current scene stays.
    *
-   * @param files - a glTF or OBJ with the files that it names; a promise for those of a drop
+   * @param files - a glTF or OBJ with the files that it names; a promise of them for a drop
    */
   async loadFiles(files: FileMap | Promise<FileMap>): Promise<void> {
     const load = ++this.loads;
@@ -237,7 +237,9 @@ export class Viewer {
     }
   }
 
-  /** Opens the Lab with the current scene; a message says why it cannot. Call it from a click or key event: see `openBeside`. */
+  /**
+   * Opens the Lab with the current scene, or displays an error. Call it from a click or key event: see `openBeside`.
+   */
   async measure(): Promise<void> {
     this.messages.show('lab', '');
     try {
@@ -255,13 +257,13 @@ export class Viewer {
     this.showModel(this.model, true);
   }
 
-  /** Stops the scene at a time (s) and draws it; null lets time go on from the current one. */
+  /** Stops the scene at a time (s) and draws it; null resumes from the current time. */
   setTime(seconds: number | null): void {
     if (seconds !== null) this.app.scene.setTime(seconds);
     this.changed({ time: seconds });
   }
 
-  /** Stops time at the current millisecond, or lets it go on. */
+  /** Stops time at the current millisecond, or resumes it. */
   toggleTime(): void {
     this.setTime(this.state.time === null ? Math.round(this.app.scene.time * 1000) / 1000 : null);
   }
@@ -276,23 +278,20 @@ export class Viewer {
     this.app.renderAt(seconds);
   }
 
-  /** Draws the scene once by Farol and reads the picture: linear light, without tone mapping. */
+  /** Draws the scene once with Farol and reads the picture: linear light, without tone mapping. */
   readPixels(): Pixels {
     return readPixels(this.three, () => this.farol.render(this.scene, this.camera));
   }
 
-  /** Draws the scene once by three's own `render` and reads the picture, for comparisons. */
+  /** Draws the scene once with three's own `render` and reads the picture, for comparisons. */
   readStockPixels(): Pixels {
     return readPixels(this.three, () => this.three.render(this.scene, this.camera));
   }
 
-  /** Calls `listener` after each change of the state. @returns what ends it */
-  onChange(listener: () => void): () => void {
-    this.listeners.add(listener);
-    return () => void this.listeners.delete(listener);
-  }
+  /** Calls `listener` after each change of the state. @returns a function that removes the listener */
+  readonly onChange = this.stateChanged.subscribe;
 
-  /** Sizes the canvas by the state, or by the page where the state has no size; draws anew if the size changed. */
+  /** Sizes the canvas by the state, or by the page if the state has no size; redraws if the size changed. */
   resize(): void {
     const { width, height, dpr } = this.state;
     const parent = this.app.canvas.parentElement!;
@@ -309,7 +308,7 @@ export class Viewer {
     this.redraw();
   }
 
-  /** Draws the scene if no loop does. */
+  /** Draws the scene if the loop is stopped. */
   redraw(): void {
     if (this.state.time !== null && this.app.scene.activeCamera) this.app.step(0);
   }
@@ -341,7 +340,7 @@ export class Viewer {
     const previous = this.app.scene;
     const pose = keepCamera ? previous.activeCamera?.gameObject.object3D : null;
     const camera = scene.activeCamera?.gameObject;
-    if (!camera) throw new Error(`The scene ${scene.name} has no camera.`);
+    if (!camera) throw new Error(`The scene ${scene.name} has no camera: add one.`);
     if (!camera.getComponent(KeyController)) camera.addComponent(KeyController);
     if (!camera.getComponent(MouseController)) camera.addComponent(MouseController);
     if (pose) camera.transform.modelMatrix = pose.matrixWorld;
@@ -365,10 +364,10 @@ export class Viewer {
     setDemoRectangles(this.app.scene, this.state.rectangles);
     this.app.scene.settings.frameBudget = this.state.budget as 'auto';
     this.effects.update(this.state);
-    // timer queries cannot be nested: without the menu nobody reads them here, and a benchmark may use its own
+    // timer queries cannot be nested: without the menu nobody reads these, and a benchmark may use its own
     this.farol.timing = this.state.gui;
     writeAddress(writeState(this.state, known, this.model === null));
-    for (const listener of this.listeners) listener();
+    this.stateChanged.emit();
     if (!this.app.scene.activeCamera) return; // the first scene is still loading
     if (this.state.time === null) this.app.start();
     else this.app.stop();

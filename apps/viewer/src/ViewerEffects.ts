@@ -3,7 +3,7 @@ import { loadEffects } from '@farol/renderer/effects';
 import { effectEntries, effectParameters, switchName } from './state/effectParameters';
 import type { ViewerState } from './state/ViewerState';
 
-/** The renderer's effects as the state says; an effect that is switched on again is the same object. */
+/** The renderer's effects for the viewer's state; an effect that is switched on again is the same object. */
 export class ViewerEffects {
   private readonly all = new Map<string, FarolEffect>();
   private active = '';

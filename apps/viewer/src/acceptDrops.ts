@@ -1,14 +1,14 @@
 import { collectFiles } from '@farol/engine/files';
 import type { Viewer } from './Viewer';
 
-/** Lets files and folders be dropped anywhere on the window. */
+/** Accepts files and folders dropped anywhere on the window. */
 export function acceptDrops(viewer: Viewer): void {
   const over = (event: DragEvent) => {
     event.preventDefault();
     document.body.classList.add('dropping');
   };
   const out = (event: DragEvent) => {
-    // fires for each element left; without a related target the pointer left the window
+    // fires for every element that is left; no related target means that the pointer left the window
     if (event.relatedTarget === null) document.body.classList.remove('dropping');
   };
   addEventListener('dragenter', over);

@@ -4,7 +4,7 @@ import type { FileMap } from '@farol/engine/files';
 const endings = '.glb,.gltf,.bin,.obj,.mtl,.stl,.ply,.zip,.png,.jpg,.jpeg,.webp,.tga,.bmp,.ktx2';
 
 /**
- * Asks the user for files, or for a folder with everything in it.
+ * Asks the user for files, or for a folder with its content.
  *
  * @returns files by path; null when the user cancels
  */

@@ -4,7 +4,7 @@ import { Box3, Color } from 'three';
 const NAME = 'Decals';
 const COUNT = 40;
 
-/** Adds decals of many colours to a scene, projected from above, or removes them; equal in every run. */
+/** Adds decals of many colours to a scene, projected from above, or removes them; the same in every run. */
 export function setDemoDecals(scene: Scene, shown: boolean): void {
   const present = scene.roots.find(({ name }) => name === NAME);
   if (shown === (present !== undefined)) return;

@@ -6,8 +6,8 @@ const NAME = 'Particles';
 const LIFE = 6;
 
 /**
- * Fills a scene with particles that shine, or removes them; equal in every run.
- * @param count - particles alive at once; 0 for none
+ * Fills a scene with particles that are lights, or removes them; the same in every run.
+ * @param count - number of living particles; 0 for none
  */
 export function setDemoParticles(scene: Scene, count: number): void {
   const present = scene.roots.find(({ name }) => name === NAME);

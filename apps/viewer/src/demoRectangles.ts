@@ -6,7 +6,7 @@ const NAME = 'Rectangle lights';
 const RANGE = 1.5;
 
 /**
- * Fills a scene with rectangle lights that shine down and sideways, or removes them; equal in every run.
+ * Fills a scene with rectangle lights that shine down and sideways, or removes them; the same in every run.
  * @param count - number of lights; 0 for none
  */
 export function setDemoRectangles(scene: Scene, count: number): void {

@@ -28,7 +28,7 @@ declare global {
   }
 }
 
-/** Adds the buttons of sessions in a headset, where there is one. */
+/** Adds the buttons for headset sessions, if a headset is present. */
 async function addXR({ app, messages }: Viewer): Promise<void> {
   const { addXRButtons, stageOf } = await import('@farol/engine/xr');
   const labels = { 'immersive-vr': t('Enter VR'), 'immersive-ar': t('Enter AR') };

@@ -17,8 +17,9 @@ export interface Pixels {
 }
 
 /**
- * Draws into a target of the canvas's size and reads it back: without tone mapping and sRGB encoding, as three draws into
- * any render target. Channels are floats of 32 bits; of 16 if the device cannot blend 32; bytes if it draws to no floats.
+ * Draws into a render target of the canvas's size and reads it back: without tone mapping and sRGB encoding, as always
+ * in three's render targets. Channels are 32-bit floats, 16-bit if the device cannot blend those, bytes if it cannot
+ * render to floats.
  *
  * @param draw - draws one frame to the current render target
  */

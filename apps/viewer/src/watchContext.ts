@@ -1,11 +1,11 @@
 import { t } from '@farol/editing';
 import type { Viewer } from './Viewer';
 
-/** Shows a message while the WebGL context is lost, and draws again once the browser restores it. */
+/** Displays a message while the WebGL context is lost, and redraws once the browser restores it. */
 export function watchContext(viewer: Viewer): void {
   const { canvas } = viewer.app;
   canvas.addEventListener('webglcontextlost', (event: Event) => {
-    event.preventDefault(); // otherwise the browser does not restore it
+    event.preventDefault(); // without preventDefault, the browser does not restore the context
     viewer.messages.show(
       'context',
       t('The graphics device was lost. The picture comes back by itself; if it does not, reload the page.'),

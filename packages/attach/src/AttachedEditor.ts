@@ -22,7 +22,7 @@ const attached = new WeakSet<WebGLRenderer>();
 
 /** An editor over a running page, as made by `attachEditor`. */
 export class AttachedEditor {
-  /** The editor's one element in the page; the panels are in its shadow root, where styles of the page do not reach. */
+  /** The editor's only element in the page; the panels are in its shadow root, isolated from the page's styles. */
   readonly element: HTMLElement;
   private readonly root: ShadowRoot;
   private readonly session: Session;
@@ -78,7 +78,7 @@ export class AttachedEditor {
     this.timer = setInterval(() => this.panels.refresh(), REFRESH) as unknown as number;
   }
 
-  /** The object that was selected last, or null; setting it selects it alone. */
+  /** The object selected last, or null; setting it selects that object alone. */
   get selected(): Object3D | null {
     return this.session.selection.primary;
   }
@@ -87,7 +87,7 @@ export class AttachedEditor {
     this.session.select(object);
   }
 
-  /** The selected objects, in the order of their choice. */
+  /** The selected objects, in order of selection. */
   get selection(): readonly Object3D[] {
     return this.session.selection.items;
   }
@@ -110,9 +110,7 @@ export class AttachedEditor {
     return this.session.commands;
   }
 
-  /**
-   * Language of the panels. Setting it makes these panels anew; attached editors that the page makes later have it too.
-   */
+  /** Language of the panels. Setting it makes the panels again; it also applies to editors attached later. */
   get language(): AttachLanguage {
     return this.shown;
   }
@@ -130,8 +128,9 @@ export class AttachedEditor {
   }
 
   /**
-   * Draws the page by a technique of Farol's, or by three's own renderer again, from the next frame on.
-   * @throws Error (as a rejection) for an unknown technique, or one that the device cannot run; what drew goes on
+   * Switches the page to a technique of Farol's, or back to three's renderer, from the next frame on.
+   * @throws Error (as a rejection) for an unknown technique, or one that the device cannot run; the previous renderer
+   *   continues
    */
   drawWith(drawer: Drawer): Promise<void> {
     return this.drawing.choose(drawer);
@@ -149,7 +148,7 @@ export class AttachedEditor {
     else if (this.hook.isIdle) this.webgl.render(this.session.scene, this.session.camera);
   }
 
-  /** Makes the panels in a language, and puts them into the page. */
+  /** Makes the panels in a language, and adds them to the page. */
   private makePanels(language: AttachLanguage): Panels {
     speak(language);
     this.shown = language;
@@ -175,7 +174,7 @@ export class AttachedEditor {
     this.session.attempt(act);
   }
 
-  /** Asks the page for a frame. */
+  /** Requests a frame from the page. */
   private redraw(): void {
     const { options, hook, webgl, session } = this;
     if (options.onChange) {

@@ -4,12 +4,12 @@ import type { AttachOptions } from './AttachOptions';
 import { languages } from './language/languages';
 
 /**
- * Opens an editor over a running three.js page: the tree of its objects, an inspector of transform, flags, light, camera
- * and materials, a gizmo on the selected objects, undo, and a frame panel which can have the page drawn by Farol. The page
- * needs to know nothing of it. While the editor is there, it stands in for `renderer.render` of this one renderer; all
- * else is listened to, or drawn over the finished frame. `dispose()` takes all of that away; edits of the scene stay.
+ * Opens an editor over a running three.js page: the tree of its objects, an inspector of transform, flags, light,
+ * camera and materials, a gizmo on the selected objects, undo, and a frame panel which can switch the page to Farol.
+ * The page needs no changes. While attached, the editor replaces `renderer.render` of this one renderer; otherwise it
+ * listens to events and draws over finished frames. `dispose()` restores the page; edits of the scene stay.
  *
- * @param camera - what the page looks through; set `camera` of the editor when that changes
+ * @param camera - camera that the page renders with; set the editor's `camera` when it changes
  * @example
  * const editor = attachEditor(scene, camera, renderer);
  * editor.dispose();

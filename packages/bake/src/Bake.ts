@@ -7,13 +7,13 @@ export interface BakedLightmap {
   readonly width: number;
   readonly height: number;
   /**
-   * Half floats, RGBA, width × height × 4, the row of v = 0 first: irradiance, linear, as three's `lightMap` has it at
-   * an intensity of 1 (a light of intensity 1 that falls straight on a surface gives 1). Alpha is 1.
+   * Half floats, RGBA, width × height × 4, the row of v = 0 first: irradiance, linear, in the convention of three's
+   * `lightMap` at intensity 1 (a light of intensity 1 that shines perpendicularly on a surface gives 1). Alpha is 1.
    */
   readonly data: Uint16Array;
 }
 
-/** A mesh that is lit by a lightmap. Vertices are split where the charts of its surface meet. */
+/** A lightmapped mesh. Its vertices are split at chart borders. */
 export interface BakedMesh {
   readonly mesh: Mesh;
   /** Index in {@link Bake.lightmaps}. */
@@ -32,21 +32,16 @@ export interface Bake {
   readonly meshes: readonly BakedMesh[];
   /** Light at the points `options.probes`; null when no points were given. */
   readonly probes: BakedProbes | null;
-  /**
-   * Set of UVs that the lightmaps are read by, as a texture's `channel`: 1, but for geometries that have a second set.
-   */
+  /** UV set of the lightmaps, as in `Texture.channel`: 1, unless a geometry of the scene already uses that set. */
   readonly channel: number;
-  /** Whether the meshes of the scene show the lightmaps at present. */
+  /** Whether the meshes of the scene show the lightmaps now. */
   readonly isApplied: boolean;
   /**
-   * Gives each mesh a geometry with the second UVs and a clone of its material with the lightmap, and hides the lights
-   * that were baked whole. No geometry, material or texture of the host's is changed. Does nothing when it is applied.
+   * Gives each mesh a geometry with the lightmap UVs and a copy of its material with the lightmap, and switches off
+   * fully baked lights. The host's geometries, materials and textures are not changed. No effect when already applied.
    */
   apply(): void;
-  /**
-   * Gives the meshes and lights back their own geometries, materials and layers. Does nothing when the bake is not
-   * applied.
-   */
+  /** Restores the geometries, materials and layers of meshes and lights. No effect when the bake is not applied. */
   remove(): void;
   /** Removes the bake from the scene, and frees its textures, geometries and materials. */
   dispose(): void;

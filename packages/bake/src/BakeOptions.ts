@@ -3,49 +3,48 @@ import type { BakeProgress } from './BakeProgress';
 
 /**
  * Light from beyond the scene: none, the scene's environment, one colour (linear radiance, W/sr/m²), or an
- * equirectangular texture. Ambient and hemisphere lights that are baked are added to it, as three reckons them.
+ * equirectangular texture. Baked ambient and hemisphere lights are added, as in three.
  */
 export type Sky = 'none' | 'environment' | ColorRepresentation | Texture;
 
 /** Options that lightmaps and light probes share. */
 export interface TraceOptions {
-  /** Times that light is reflected before it arrives, 0 (direct light only) to 16. Default 3. */
+  /** Number of reflections of light, 0 (direct light only) to 16. Default 3. */
   bounces?: number;
   /**
-   * Paths of indirect light that arrive at each texel, 1 to 65,536: so many of light that comes from the sky or was
-   * reflected once, half as many of light that was reflected once more, and so on, 16 at least; probes take 1,024 at least.
-   * Default 256.
+   * Paths of indirect light per texel, 1 to 65,536: this many for light from the sky or reflected once, half as many
+   * for each further reflection, at least 16; probes use at least 1,024. Default 256.
    */
   samples?: number;
   /**
-   * Resolution at which light that was reflected twice or more is gathered, as a share of the lightmap's side: 1, 0.5
-   * or 0.25. Texels between are interpolated from their neighbours on the same surface. Default 0.5.
+   * Resolution of light that was reflected twice or more, as a share of the lightmap's side: 1, 0.5 or 0.25. It is
+   * interpolated between neighbours on the same surface. Default 0.5.
    */
   indirectScale?: 1 | 0.5 | 0.25;
-  /** Light from beyond the scene. Default 'none'. */
+  /** Light from outside the scene. Default 'none'. */
   sky?: Sky;
-  /** Equal seeds give equal bakes on one machine: a whole number. Default 1. */
+  /** Integer seed; equal seeds give equal bakes on one machine. Default 1. */
   seed?: number;
-  /** Milliseconds of GPU time between two moments at which the page may draw, 1 to 1,000. Default 12. */
+  /** GPU time (ms) after which the page may draw a frame, 1 to 1,000. Default 12. */
   sliceMilliseconds?: number;
   /**
-   * Whether a mesh stays where it is: it casts shadows and reflects light, and gets a lightmap. Default: each that is visible.
-   * @param instance - of an InstancedMesh that is static: whether this one of its instances is
+   * Whether a mesh never moves: it then casts shadows, reflects light and gets a lightmap. Default: every visible mesh.
+   * @param instance - index of an instance, asked for a static InstancedMesh
    */
   isStatic?(object: Object3D, instance?: number): boolean;
   /**
-   * Whether a light is baked: its direct and its reflected light, or 'indirect', its reflected light alone, while the
-   * renderer goes on with the direct one. Default: each that is visible.
+   * Whether a light is baked: true for direct and reflected light; 'indirect' for reflected light only, while the
+   * renderer draws the direct light. Default: every visible light.
    */
   isBaked?(light: Light): boolean | 'indirect';
-  /** Whether a static mesh blocks light: the shade of a lamp, for example, may let it through. Default: each does. */
+  /** Whether a static mesh blocks light; a lamp shade, for instance, may transmit it. Default: every mesh does. */
   throwsShadow?(object: Object3D): boolean;
-  /** Cancels: the scene is left as it was, and the promise rejects with the signal's reason. */
+  /** Cancels the bake: the scene is restored, and the promise rejects with the signal's reason. */
   signal?: AbortSignal;
   /** Called after each slice of work. */
   onProgress?(progress: BakeProgress): void;
   /**
-   * Called once for each thing that was left out or baked otherwise than asked, with a sentence that names it. Default:
+   * Called with a sentence for each object that was left out or baked differently than requested. Default:
    * console.warn.
    */
   onWarning?(sentence: string): void;
@@ -55,16 +54,16 @@ export interface TraceOptions {
 export interface BakeOptions extends TraceOptions {
   /** Width and height of a lightmap in texels: a multiple of 16, 16 to 8,192. Default 1,024. */
   size?: number;
-  /** Texels along a metre of surface. Default: as many as one lightmap has room for; given, there are as many lightmaps as it takes. */
+  /** Texels per metre of surface; needs as many lightmaps as it takes. Default: the most that fit into one lightmap. */
   texelsPerMetre?: number;
-  /** Texels between the charts of a lightmap, 1 to 16: dilated, so that mipmaps and bilinear filtering stay in a chart. Default 4. */
+  /** Texels between charts, 1 to 16, filled so that mipmaps and bilinear filtering do not mix charts. Default 4. */
   padding?: number;
-  /** Takes out the noise that is left, keeping edges of light at edges of surfaces. Default true. */
+  /** Whether to remove noise, while edges of light at edges of surfaces are kept. Default true. */
   denoise?: boolean;
-  /** Makes light meet where charts cut a smooth surface: else the borders of charts show as lines. Default true. */
+  /** Whether to equalise light at chart borders on smooth surfaces, which else show as lines. Default true. */
   stitch?: boolean;
-  /** Points at which the light that arrives is baked as well, three floats each, world space (m). Default none. */
+  /** Positions of light probes to bake as well, three floats each, world space (m). Default none. */
   probes?: Float32Array;
-  /** Whether the picture so far is applied to the scene while the bake runs. Default true. */
+  /** Whether intermediate results are applied to the scene during the bake. Default true. */
   showProgress?: boolean;
 }

@@ -24,13 +24,11 @@ import { unwrapReflectors } from './unwrap/unwrapReflectors';
 import { unwrapStaticMeshes } from './unwrap/unwrapStaticMeshes';
 
 /**
- * Bakes the light of a scene into lightmaps, while the page runs. The result is not applied when the promise resolves.
- *
- * Nothing of the scene changes but while `showProgress` shows the picture so far, and as {@link Bake.apply} says; the
- * scene must not change in the meantime.
+ * Bakes the light of a scene into lightmaps, while the page stays responsive. Apply the result with {@link Bake.apply}.
+ * The scene is not changed, except while `showProgress` applies intermediate results; do not change it during the bake.
  *
  * @param renderer - its WebGL context traces the paths
- * @throws RangeError for an option out of its bounds; Error when the scene has nothing to bake, or the device cannot
+ * @throws RangeError for an option out of range; Error when the scene has nothing to bake, or the device cannot bake
  */
 export async function bakeLightmaps(renderer: WebGLRenderer, scene: Scene, options: BakeOptions = {}): Promise<Bake> {
   const checked = checkBakeOptions(options);
@@ -109,10 +107,10 @@ async function bake(renderer: WebGLRenderer, scene: Scene, checked: CheckedBakeO
   }
 }
 
-/** Converts irradiance to a half float; values beyond the largest half float are limited, not infinite. */
+/** Converts irradiance to a half float; too large values are clamped to the largest finite half float. */
 const toHalf = (value: number): number => DataUtils.toHalfFloat(Math.min(value, 65504));
 
-/** @param count - number of lightmaps that are kept */
+/** @param count - number of lightmaps in the result */
 async function trace(
   renderer: WebGLRenderer,
   scene: Scene,
@@ -158,11 +156,13 @@ async function trace(
   }
 }
 
-/** @throws Error for a device that cannot bake, and while the context is lost, which says nothing of the device */
+/** @throws Error for a device that cannot bake, and while the context is lost, as its abilities are unknown then */
 export function checkDevice(renderer: WebGLRenderer): void {
   if (renderer.getContext().isContextLost())
     throw new Error('The bake cannot begin: the WebGL context is lost. Bake again once the picture is back.');
   const missing = ['EXT_color_buffer_float', 'EXT_float_blend'].filter((name) => !renderer.extensions.has(name));
   if (missing.length === 0) return;
-  throw new Error(`This device cannot bake: its WebGL2 has no ${missing.join(' and no ')}.`);
+  throw new Error(
+    `This device cannot bake: its WebGL2 has no ${missing.join(' and no ')}. Use another browser or device.`,
+  );
 }

@@ -6,17 +6,17 @@ import type { BakedProbes } from './probes/BakedProbes';
 /** Options of `bakeProbes`. */
 export interface BakeProbesOptions extends TraceOptions {
   /**
-   * Side of the lightmap in which reflected light is kept while probes are traced (texels): a multiple of 16, 16 to
-   * 8,192. Default 512.
+   * Side of the lightmap that stores reflected light during tracing (texels): a multiple of 16, 16 to 8,192. Default
+   * 512.
    */
   size?: number;
 }
 
 /**
- * Bakes the light that arrives at points, direct and reflected, for things that move. With lightmaps as well, give
- * `probes` to {@link bakeLightmaps}, which traces the scene once for both.
+ * Bakes the direct and reflected light at points, for moving objects. For lightmaps as well, pass `probes` to {@link
+ * bakeLightmaps}, which traces the scene once for both.
  *
- * @param points - three a point, world space (m)
+ * @param points - three numbers per point, world space (m)
  */
 export async function bakeProbes(
   renderer: WebGLRenderer,

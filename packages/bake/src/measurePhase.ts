@@ -2,10 +2,10 @@
 export type Phase = 'unwrap' | 'merge' | 'bvh' | 'tables' | 'trace' | 'filter' | 'probes' | 'read' | 'stitch';
 
 /**
- * Puts a phase of a bake on the timeline of the browser's performance tools, as `farol-bake unwrap`.
+ * Adds a phase of a bake to the browser's performance timeline, as `farol-bake unwrap`.
  *
- * @param begin - `performance.now()` when it began (ms); it ends now
- * @param detail - kept with it
+ * @param begin - `performance.now()` at the beginning (ms); the phase ends now
+ * @param detail - data attached to the entry
  */
 export function measurePhase(phase: Phase, begin: number, detail?: unknown): void {
   performance.measure(`farol-bake ${phase}`, { start: begin, detail });

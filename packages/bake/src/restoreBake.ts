@@ -2,7 +2,7 @@ import { DataTexture, HalfFloatType, type Light, LinearFilter, RGBAFormat, type 
 import { AppliedBake } from './apply/AppliedBake';
 import type { Bake, BakedLightmap } from './Bake';
 
-/** A bake as it was read from a file, with its meshes found in the scene again. */
+/** A bake read from a file, with its meshes found in the scene again. */
 export interface SavedBake extends Pick<Bake, 'meshes' | 'channel' | 'probes'> {
   /** Half floats as baked, or textures of irradiance, such as compressed ones, which the bake disposes of. */
   readonly lightmaps: readonly (BakedLightmap | Texture)[];
@@ -13,13 +13,12 @@ export interface RestoreOptions {
   /** Lights that the lightmaps contain, switched off while the bake is applied. Default none. */
   lights?: readonly Light[];
   /**
-   * Scene whose environment is in the lightmaps: materials then show of that environment only mirror reflections.
-   * Default null.
+   * Scene whose environment is baked into the lightmaps: materials then show only its mirror reflection. Default null.
    */
   skyOf?: Scene | null;
 }
 
-/** A bake made of what {@link bakeLightmaps} once gave: applies it without tracing anything. */
+/** Makes a bake from the saved result of {@link bakeLightmaps}, without tracing. */
 export function restoreBake(
   { lightmaps, meshes, channel, probes }: SavedBake,
   { lights = [], skyOf = null }: RestoreOptions = {},

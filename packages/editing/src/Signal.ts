@@ -2,11 +2,11 @@
  * Notifies listeners of changes, and counts the changes. `subscribe` and `revision` are the two arguments of React's
  * `useSyncExternalStore`.
  *
- * @typeParam Details - what listeners are told of a change; nothing by default
+ * @typeParam Details - arguments of listeners; none by default
  */
 export class Signal<Details extends readonly unknown[] = []> {
   private readonly listeners = new Set<(...details: Details) => void>();
-  /** `listeners` as an array, which a change while they are told leaves alone; null when they have changed since. */
+  /** `listeners` as an array, which stays unchanged during an emit; null after a change of `listeners`. */
   private snapshot: readonly ((...details: Details) => void)[] | null = null;
   private changes = 0;
 
@@ -15,7 +15,7 @@ export class Signal<Details extends readonly unknown[] = []> {
     return this.changes;
   }
 
-  /** Counts a change and tells the listeners. */
+  /** Counts a change and calls the listeners. */
   readonly emit = (...details: Details): void => {
     this.changes++;
     const told = (this.snapshot ??= [...this.listeners]);

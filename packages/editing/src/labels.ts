@@ -1,6 +1,6 @@
 import { t } from './language/translate';
 
-/** Common name of objects: 'chest', or '3 objects'. @param objects - at least one; one without a name goes by its type */
+/** Common name of objects: 'chest', or '3 objects'. @param objects - at least one; nameless ones are named by type */
 export function namesOf(objects: readonly { readonly name: string; readonly type?: string }[]): string {
   if (objects.length !== 1) return t('{count} objects', { count: objects.length });
   const [{ name, type = t('object') }] = objects;
@@ -8,9 +8,9 @@ export function namesOf(objects: readonly { readonly name: string; readonly type
 }
 
 /**
- * 'Deleted chest', or 'Deleted 3 objects', in the language that is shown.
- * @param verb - in that language: `t('Deleted')`
- * @param objects - at least one; one without a name goes by its type
+ * Label such as 'Deleted chest' or 'Deleted 3 objects', in the current language.
+ * @param verb - translated verb: `t('Deleted')`
+ * @param objects - at least one; a nameless one is called by its type
  */
 export function countLabel(
   verb: string,

@@ -7,7 +7,7 @@ import * as main from './index';
 
 const source = fileURLToPath(new URL('.', import.meta.url));
 
-/** Exports of the main entry besides types: whoever adds a name decides here that every author needs it. */
+/** Exports of the main entry besides types: a new name must be one that every author needs. */
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
   loopsOfOnesOwn: [
@@ -104,7 +104,7 @@ test('the main entry exports these names', () => {
   expect(Object.keys(main).toSorted()).toEqual(Object.values(names).flat().toSorted());
 });
 
-/** The modules that a module needs when it is loaded: static imports, types left out. */
+/** Modules that a module imports statically, without types. */
 function importsOf(path: string): string[] {
   const { module } = parseSync(path, readFileSync(path, 'utf8'));
   const requests = [
@@ -116,7 +116,7 @@ function importsOf(path: string): string[] {
   );
 }
 
-/** All modules that are loaded with one, as paths from `src`. */
+/** All modules loaded with an entry, as paths relative to `src`. */
 function loadedWith(entry: string): string[] {
   const loaded = new Set([join(source, entry)]);
   for (const path of loaded) for (const next of importsOf(path)) loaded.add(next);

@@ -1,20 +1,20 @@
 import WebSocket from 'ws';
 import type { AgentMessage, Content, ToolResult } from './tools';
 
-/** Address of a dev server, and the secret that it takes agents by. */
+/** Address of a dev server, and the key with which agents connect. */
 export interface EditorPlace {
-  /** Such as http://127.0.0.1:5173/. */
+  /** Address of the dev server, such as http://127.0.0.1:5173/. */
   readonly url: string;
   readonly key: string;
 }
 
-/** Answer of the editor to a call. */
+/** The editor's answer to a call. */
 export interface Answer {
   readonly content: readonly Content[];
   readonly isError?: boolean;
 }
 
-/** Longest time that a call may take (ms). */
+/** Time limit of a call (ms). */
 const PATIENCE = 120_000;
 
 /** Maximum size of an answer (bytes): a scene as text. */
@@ -23,20 +23,20 @@ const MOST_BYTES = 64e6;
 const NOT_ALLOWED =
   'The user does not let an agent edit now. Ask them to open the editor and choose “File > Let an agent edit…”, then try again.';
 
-/** Connection to the editor, by way of the dev server; opened by the first call, and again after it was lost. */
+/** Connection to the editor through the dev server; opened by the first call, and reopened after a loss. */
 export class EditorLink {
-  /** Name of the client that the editor shows. */
+  /** Name of the client, displayed by the editor. */
   name = 'An agent';
   private socket: Promise<WebSocket> | null = null;
   private count = 0;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
 
-  /** @param find - tells where the dev server is, before each connection; @throws Error when there is none */
+  /** @param find - finds the dev server, before each connection; @throws Error when there is none */
   constructor(private readonly find: () => EditorPlace | Promise<EditorPlace>) {}
 
   /**
    * Runs a tool in the editor.
-   * @throws Error (as a rejection) that says how to mend it, when the editor cannot be reached or does not answer
+   * @throws Error (as a rejection) with the remedy, when the editor cannot be reached or does not answer
    */
   async call(tool: string, input: unknown): Promise<Answer> {
     const socket = await (this.socket ??= this.open());

@@ -5,8 +5,8 @@ import { findEditor } from './findEditor';
 import { makeServer } from './makeServer';
 
 const link = new EditorLink(() => findEditor());
-/** Server of the command `farol-mcp`, which talks by standard input and output. */
+/** Server of the command `farol-mcp`, on standard input and output. */
 export const server: McpServer = makeServer(link);
 await server.connect(new StdioServerTransport());
-// a client that goes without a word closes the input
+// a client that exits closes the input
 process.stdin.once('end', () => process.exit(0));

@@ -3,14 +3,14 @@ import { homedir } from 'node:os';
 import { join } from 'node:path';
 import type { EditorPlace } from './EditorLink';
 
-/** File in which `npm start` notes, for this user alone, where it serves and by which key. */
+/** File in which `npm start` stores its address and key, readable by this user alone. */
 export const placeFile = (): string => join(homedir(), '.farol', 'agent.json');
 
 const isLocal = (url: string): boolean => /^https?:\/\/(localhost|127\.0\.0\.1|\[::1\])(:\d+)?\//.test(url);
 
 /**
- * Finds the dev server: by FAROL_AGENT_URL and FAROL_AGENT_KEY, else as `npm start` noted.
- * @throws Error when neither tells, or it is not on this machine
+ * Finds the dev server: by FAROL_AGENT_URL and FAROL_AGENT_KEY, else by the file of `npm start`.
+ * @throws Error when neither exists, or the address is not of this machine
  */
 export function findEditor(env: Readonly<Record<string, string | undefined>> = process.env): EditorPlace {
   const { FAROL_AGENT_URL: url, FAROL_AGENT_KEY: key } = env;

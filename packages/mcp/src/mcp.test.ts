@@ -7,7 +7,7 @@ import { findEditor, placeFile } from './findEditor';
 import { makeServer } from './makeServer';
 import { checkInput, isReading, tools } from './tools';
 
-/** A client of a server whose editor answers by the call itself. */
+/** An MCP client whose editor returns each call as its answer. */
 async function connect(): Promise<Client> {
   const link = new EditorLink(() => ({ url: 'http://127.0.0.1:9/', key: '' }));
   link.call = async (tool, input) => ({

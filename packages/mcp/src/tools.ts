@@ -1,10 +1,10 @@
 import { z } from 'zod';
 
-/** Maximum number of objects that one call may name, and of edits in a batch. */
+/** Maximum number of objects in one call, and of edits in a batch. */
 export const MOST_EDITS = 200;
 
 const finite = z.number();
-// not a tuple: some clients know the schema of plain arrays alone
+// not a tuple: some clients only support the schema of plain arrays
 const triple = (unit: string) => z.array(finite).length(3).describe(unit);
 
 const object = z.string().min(1).max(400).describe('an object: its name, its path such as "Street/Lamp 3", or its id');
@@ -24,7 +24,7 @@ const place = {
   lookAt: triple('world point (m) that its front, -Z, is turned to').optional(),
 };
 
-/** Edits of the scene: each is a tool, and may be one of a batch. */
+/** Edits of the scene: each is a tool, and can be part of a batch. */
 export const edits = {
   add_object: {
     description: 'Adds an object. A light shines along -Z; spot lights point down unless they are turned.',
@@ -103,7 +103,7 @@ export const edits = {
 type EditName = keyof typeof edits;
 type InputOf<Shape extends z.ZodRawShape> = z.infer<z.ZodObject<Shape>>;
 
-/** One edit of a batch: the input of a tool of `edits`, with its name. */
+/** One edit of a batch: the name of a tool of `edits`, with its input. */
 export type Edit = { [Name in EditName]: { edit: Name } & InputOf<(typeof edits)[Name]['input']> }[EditName];
 
 const editNames = Object.keys(edits) as EditName[];
@@ -198,14 +198,14 @@ export type ToolName = keyof typeof tools;
 /** Input of a tool, once checked. */
 export type ToolInput<Name extends ToolName> = InputOf<(typeof tools)[Name]['input']>;
 
-/** Whether a tool leaves the scene as it is. */
+/** Whether a tool only reads the scene. */
 export const isReading = (name: ToolName): boolean => Object.hasOwn(reads, name);
 
-/** Schema of a tool's input; names that it does not have are refused. */
+/** Schema of a tool's input; unknown names are refused. */
 export const inputSchema = (name: ToolName): z.ZodObject => z.strictObject(tools[name].input as z.ZodRawShape);
 
 /**
- * Input of a tool, checked.
+ * Checks the input of a tool.
  * @throws Error that names tool and field, and what is allowed
  */
 export function checkInput(name: string, input: unknown): { name: ToolName; input: unknown } {

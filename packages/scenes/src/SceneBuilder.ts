@@ -29,17 +29,17 @@ interface MovingLight {
   position: Vector3Tuple;
   /** Luminous intensity (cd). */
   intensity: number;
-  /** Distance beyond which the light gives nothing (m). */
+  /** Distance beyond which the light has no effect (m). */
   range: number;
   extent: Vector3Tuple;
   speed: number;
-  /** Casts shadows, in maps of 512 texels a side. */
+  /** Whether the light casts shadows, in maps of 512 × 512 texels. */
   castShadow?: boolean;
 }
 
 const OWN = 2654435761;
 
-/** Puts a scene together, with ids that depend on order alone, so that the same scene is the same file. */
+/** Builds a scene with ids that depend on the order of calls alone, so that equal scenes give equal files. */
 export class SceneBuilder {
   readonly scene: Scene;
   readonly random: () => number;
@@ -56,7 +56,7 @@ export class SceneBuilder {
     this.random = createRandom(this.seed);
   }
 
-  /** An object with components: `[class, values]` each. */
+  /** Adds an object with components, `[class, values]` each. */
   object(name: string, place: Placement, ...components: [ComponentClass, Values?][]): GameObject {
     const gameObject = new GameObject(name, { id: this.id(name) });
     for (const key of ['position', 'rotation', 'scale'] as const) {
@@ -67,7 +67,7 @@ export class SceneBuilder {
     return gameObject;
   }
 
-  /** An object without components of its own, to hold others. */
+  /** Adds an empty object to hold others. */
   group(name: string, parent?: GameObject): GameObject {
     return this.object(name, { parent });
   }
@@ -76,14 +76,14 @@ export class SceneBuilder {
     return this.object(name, place, [ObjectRenderer, { mesh, ...(this.shadows && meshShadows), ...values }]);
   }
 
-  /** The camera, with thesis controllers: W, A, S, D, E, Q and dragging. */
+  /** Adds the camera, with the thesis's controllers: W, A, S, D, E, Q and dragging. */
   camera(position: Vector3Tuple, target: Vector3Tuple, values: Values = {}, speed = 5): GameObject {
     const camera = this.object('Camera', {}, [Camera, values], [KeyController, { speed }], [MouseController]);
     camera.transform.lookAt(position, target);
     return camera;
   }
 
-  /** A light that shines from `position` to `target`. */
+  /** Adds a light that shines from `position` to `target`. */
   light(name: string, values: Values, position: Vector3Tuple, target?: Vector3Tuple, parent?: GameObject): GameObject {
     const { type } = values;
     const casts = this.shadows && (type === 'directional' || type === 'spot');
@@ -93,8 +93,8 @@ export class SceneBuilder {
   }
 
   /**
-   * `count` moving point lights of many hues. Light i depends on the seed and i alone: a scene with more lights holds
-   * those of the scene with fewer, as far as `describe` lets it.
+   * Adds `count` moving point lights of many hues. Light i depends only on the seed and i, so that a scene with more
+   * lights contains those of a scene with fewer, unless `describe` depends on the count.
    */
   movingLights(count: number, parent: GameObject, describe: (i: number, random: () => number) => MovingLight): void {
     for (let i = 0; i < count; i++) {

@@ -1,15 +1,15 @@
 import { checkFieldValue, FieldError, type FieldTable, type FieldValue } from '@farol/editing/fields';
 import type { AssetLibrary, Scene } from '@farol/engine';
 
-/** Options that every builder of a scene takes besides its own parameters. */
+/** Options of every scene builder, besides its own parameters. */
 export interface SceneBuildOptions {
   /** Library of meshes and textures; the scene makes one of its own when absent. */
   assets?: AssetLibrary;
-  /** Another seed, other places and colours; 1 when absent. */
+  /** Seed of positions and colours; 1 when absent. */
   seed?: number;
   /**
-   * Meshes throw and receive shadows; directional lights, spot lights and a few point lights throw them. None when
-   * absent.
+   * Whether meshes cast and receive shadows, and directional lights, spot lights and a few point lights cast them.
+   * False when absent.
    */
   shadows?: boolean;
 }
@@ -17,24 +17,24 @@ export interface SceneBuildOptions {
 /** Values of the parameters of a demo scene, by name. */
 export type SceneParameters = Readonly<Record<string, FieldValue>>;
 
-/** A demo scene with its parameters, as menus of scenes offer it. */
+/** A demo scene with its parameters, as listed in menus. */
 export interface SceneDefinition {
-  /** Key in `scenes` and in URLs. */
+  /** Key of the scene in `scenes` and in URLs. */
   readonly name: string;
   readonly label: string;
   readonly help: string;
   readonly parameters: FieldTable;
-  /** Values of parameters with which an editor shows it as a sample. */
+  /** Values of parameters for the scene's sample in the editor. */
   readonly sample: SceneParameters;
   /**
-   * Makes the scene; the same one for the same parameters.
-   * @param params - values of the parameters; the default for those that are absent
+   * Makes the scene; equal parameters give equal scenes.
+   * @param params - values of parameters; absent ones have their defaults
    * @throws FieldError for a parameter that is unknown or out of range
    */
   build(params?: SceneParameters, assets?: AssetLibrary): Promise<Scene>;
 }
 
-/** Describes a scene; `make` gets every parameter, checked. */
+/** Defines a scene; `make` gets all parameters, checked. */
 export function defineScene<const F extends FieldTable>(definition: {
   name: string;
   label: string;

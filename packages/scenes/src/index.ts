@@ -1,4 +1,4 @@
-/** Demo scenes, and `defineScene` with its types for adding another. */
+/** Demo scenes, and `defineScene` for further ones, with its types. */
 export { preloadSceneCode, scenes } from './scenes';
 
 export { benchmarkLights, type BenchmarkOptions } from './benchmark/benchmarkLights';

@@ -1,16 +1,16 @@
-/** Space of a scene's moving lights, and their range and intensity while few. */
+/** Space that a scene's moving lights share, and the range and intensity of each while they are few. */
 export interface LightBudget {
-  /** Space that the lights share, in m³. */
+  /** Volume that the lights share (m³). */
   volume: number;
-  /** Range of a light while lights are few, in metres. */
+  /** Range of a light (m) while lights are few. */
   range: number;
-  /** Intensity of a light while lights are few, in candela. */
+  /** Intensity of a light (cd) while lights are few. */
   light: number;
 }
 
 /**
- * Range (m) and intensity (cd) of each of `count` lights, so that a scene is well exposed without tone mapping with ten
- * lights or with thousands: the more lights overlap, the smaller and the dimmer each one is.
+ * Range (m) and intensity (cd) of each of `count` lights, so that exposure is right without tone mapping for ten lights
+ * as for thousands: the more lights overlap, the smaller and dimmer each one is.
  */
 export function lightBudget(count: number, budget: LightBudget): { range: number; intensity: number } {
   const comfortable = 4;

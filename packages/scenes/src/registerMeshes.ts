@@ -4,7 +4,7 @@ import type { AssetLibrary } from '@farol/engine';
 /** Makers of meshes by asset name. */
 export type MeshMakers = Readonly<Record<string, () => BufferGeometry>>;
 
-/** Adds meshes, each made when it is first needed; a name that the library has already keeps its asset. */
+/** Registers meshes, each made on first use; existing assets of the same name are kept. */
 export function registerMeshes(assets: AssetLibrary, meshes: MeshMakers): void {
   for (const [name, make] of Object.entries(meshes)) if (!assets.has(name)) assets.registerMaker(name, 'mesh', make);
 }

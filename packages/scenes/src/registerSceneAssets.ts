@@ -4,8 +4,8 @@ import { atriumMeshes } from './sponza/atriumMeshes';
 import { templeMeshes } from './temple/templeMeshes';
 
 /**
- * Adds the meshes that demo scenes have of their own, such as 'temple/column'. Building a scene adds that scene's meshes by
- * itself, and `deserialize` those that a file names; an editor adds all, to offer them in every scene.
+ * Registers the meshes of the demo scenes, such as 'temple/column'. Demo scenes register their own meshes, and
+ * `deserialize` those that a file names; an editor registers all, to offer them in every scene.
  */
 export function registerSceneAssets(assets: AssetLibrary): void {
   registerMeshes(assets, templeMeshes);

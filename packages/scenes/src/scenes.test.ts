@@ -23,7 +23,7 @@ const lightPlaces = (scene: Scene): number[][] => scene.componentsOf(Light).map(
 const seeds = (scene: Scene): unknown[] =>
   scene.find('Lights')!.children.map((light) => light.getComponent('RandomMovement')!.get('seed'));
 
-/** ObjectRenderers of a scene that draw something; all instances of one renderer count once. */
+/** ObjectRenderers of a scene that draw a mesh of their own. */
 function meshes(scene: Scene): ObjectRenderer[] {
   const list: ObjectRenderer[] = [];
   scene.traverse((gameObject) => list.push(...gameObject.getComponents(ObjectRenderer)));
@@ -63,7 +63,7 @@ describe.each(Object.keys(few))('%s', (name) => {
     for (const normal of normals) {
       const vector = new Vector3();
       for (let i = 0; i < normal.count; i++) {
-        // as well where it is not a number
+        // also counts NaN
         if (!(Math.abs(vector.fromBufferAttribute(normal, i).length() - 1) < 1e-3)) bad++;
       }
     }

@@ -1,6 +1,6 @@
 import { number } from '@farol/editing/fields';
 
-/** The seed that every scene has as a parameter. */
+/** Field of the seed, a parameter of every demo scene. */
 export const seedField = number(1, {
   integer: true,
   min: 0,

@@ -3,6 +3,23 @@ import { join } from 'node:path';
 import { galleryFolder, readExamples, readSpanish } from './galleryExamples.mjs';
 
 /**
+ * Section of an example's page, for the site's search, which reads no page that a script lists: its title as of a section
+ * around, as in apiSections, so that guides with the same words come first.
+ *
+ * @param {'en' | 'es'} language
+ * @param {string} name - of the page's file, without ending
+ * @returns {{ anchor: string, titles: string[], text: string }[] | undefined} undefined of a page that is no example's
+ */
+export function gallerySections(language, name) {
+  const example = readExamples().find((each) => each.name === name);
+  if (!example) return undefined;
+  const spanish = language === 'es' ? readSpanish() : null;
+  const [title, sentence] = spanish?.examples[name] ?? [example.title, example.sentence];
+  const tags = example.tags.map((tag) => spanish?.tags[tag] ?? tag);
+  return [{ anchor: '', titles: [title, spanish ? 'Ejemplo' : 'Example'], text: `${sentence} ${tags.join(' ')}` }];
+}
+
+/**
  * A page for each example of the gallery: title, sentence, the example and its code.
  *
  * @param {'en' | 'es'} language

@@ -1,5 +1,5 @@
-import { basename, dirname } from 'node:path';
 import { apiSections } from './api/apiPages.mjs';
+import { gallerySections } from './galleryPages.mjs';
 
 /**
  * Options of the site's search. Beginnings of words weigh little, since names such as `lightLoopAll` begin like words.
@@ -20,11 +20,15 @@ export const searchOptions = {
     },
   },
   miniSearch: {
-    /** Sections of a page of the API, whose text is a script's; undefined of others: VitePress then reads the page. */
-    _splitIntoSections: (/** @type {string} */ path) =>
-      /** @type {ReturnType<typeof apiSections>} */ (
-        basename(dirname(path)) === 'api' ? apiSections(basename(path, '.md')) : undefined
-      ),
+    /** Sections of a page whose text is a script's; undefined of others: VitePress then reads the page. */
+    _splitIntoSections(/** @type {string} */ path) {
+      const [file, folder, above] = path.split(/[\\/]/).toReversed();
+      const name = file.replace('.md', '');
+      if (folder === 'api') return apiSections(name);
+      return /** @type {ReturnType<typeof apiSections>} */ (
+        folder === 'gallery' ? gallerySections(above === 'es' ? 'es' : 'en', name) : undefined
+      );
+    },
     options: {},
     searchOptions: {
       fuzzy: 0.1,

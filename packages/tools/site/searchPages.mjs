@@ -1,6 +1,7 @@
 import MiniSearch from 'minisearch';
-import { apiPages, apiSections } from './api/apiPages.mjs';
+import { apiPages } from './api/apiPages.mjs';
 import { searchOptions } from './searchOptions.mjs';
+import { readExamples } from './galleryExamples.mjs';
 import { githubSlug, readPage, sitePages } from './sitePages.mjs';
 
 /** A section of a page, as the site's search knows it. @typedef {{ id: string, title: string, titles: string[], text: string }} Section */
@@ -58,12 +59,15 @@ export function sections() {
       return { id: `${name}#${anchor}`, title, titles, text };
     });
   });
-  const exports = apiPages().pages.flatMap((page) =>
-    apiSections(page.name).map(({ anchor, titles, text }) => ({
-      ...{ id: `api/${page.name}.md#${anchor}`, title: titles[1], titles: [titles[0]], text },
-    })),
+  const scripted = [
+    ...apiPages().pages.map(({ name }) => `api/${name}.md`),
+    ...readExamples().map(({ name }) => `gallery/${name}.md`),
+  ].flatMap((page) =>
+    searchOptions.miniSearch._splitIntoSections(page).map(({ anchor, titles: [above, title], text }) => {
+      return { id: anchor ? `${page}#${anchor}` : page, title, titles: [above], text };
+    }),
   );
-  return [...pages, ...exports];
+  return [...pages, ...scripted];
 }
 
 /**

@@ -3,7 +3,9 @@ import { dirname, join, normalize } from 'node:path/posix';
 import { describe, expect, it } from 'vitest';
 import { publishedPackages } from '../publishedPackages.mjs';
 import { root } from '../root.mjs';
+import { readSpanish } from './galleryExamples.mjs';
 import { scriptWithBase } from './relativeBase.mjs';
+import { searchOptions } from './searchOptions.mjs';
 import { searchIndex, sectionsOf } from './searchPages.mjs';
 import { pagesFolder, readPage, siteLink, sitePages, sitePicture } from './sitePages.mjs';
 import { apiTexts, textOf } from './writeTexts.mjs';
@@ -76,6 +78,8 @@ describe('the search', () => {
   const first = (query: string): string => index.search(query)[0]?.id ?? '';
   /** Questions of newcomers, each with words that somebody in a hurry types, and the page that answers. */
   const questions: [question: string, words: string, page: string][] = [
+    ['How do I install it?', 'how to install', 'guides/faq.md'],
+    ['Why is my scene black, or dark?', 'black scene', 'guides/faq.md'],
     ['How far does a light reach, and how do I set it?', 'light range', 'guides/lights.md'],
     ['How many lights, how many shadows?', 'how many lights', 'guides/lights.md'],
     ['Why is transparency slow?', 'transparency slow', 'guides/faq.md'],
@@ -84,7 +88,7 @@ describe('the search', () => {
     ['With EffectComposer?', 'EffectComposer', 'guides/faq.md'],
     ["With pmndrs' postprocessing?", 'postprocessing', 'guides/faq.md'],
     ['InstancedMesh? BatchedMesh?', 'BatchedMesh', 'guides/many-objects.md'],
-    ['WebXR? WebGPURenderer? Node materials?', 'WebGPURenderer', 'guides/faq.md'],
+    ['WebXR? WebGPURenderer? Node materials?', 'WebGPU', 'guides/faq.md'],
     ['How do I dispose?', 'dispose', 'guides/faq.md'],
     ['Several canvases without React?', 'several canvases', 'guides/canvas.md'],
     ['OffscreenCanvas in a worker?', 'worker', 'guides/canvas.md'],
@@ -95,7 +99,7 @@ describe('the search', () => {
     ['Tone mapping, output colour space?', 'tone mapping', 'guides/canvas.md'],
     ['Phones?', 'phones', 'guides/faq.md'],
     ['How do I write a technique?', 'write a technique', 'guides/authoring.md'],
-    ['How do I profile?', 'profile', 'guides/faq.md'],
+    ['How do I profile?', 'FPS', 'guides/faq.md'],
     ['Which versions of three?', 'versions of three', 'guides/compatibility.md'],
     ['From ClusteredLighting?', 'ClusteredLighting', 'guides/faq.md'],
     ['With an import map, from a CDN?', 'import map', 'guides/faq.md'],
@@ -115,6 +119,16 @@ describe('the search', () => {
     const [file, at] = first(words).split('#');
     expect(file).toBe(page);
     if (file === 'guides/faq.md') expect(at).toBe(anchor);
+  });
+
+  it('finds the examples of the gallery by their titles, sentences and tags, in both languages', () => {
+    expect(first('campfire')).toBe('gallery/campfire.md');
+    expect(first('toon')).toBe('gallery/microshader-toon.md');
+    const { _splitIntoSections: split } = searchOptions.miniSearch;
+    const [spanish] = split('/pages/es/gallery/lamps-in-fog.md');
+    expect(spanish.titles).toEqual([readSpanish().examples['lamps-in-fog'][0], 'Ejemplo']);
+    expect(spanish.text).toContain('niebla');
+    expect(split('/pages/gallery/index.md')).toBeUndefined();
   });
 });
 

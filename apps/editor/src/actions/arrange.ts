@@ -9,7 +9,7 @@ import { hasSelection } from './hasSelection';
 const several = ({ document }: EditorApi): boolean => document.selection.ids.length > 1;
 const three = ({ document }: EditorApi): boolean => document.selection.ids.length > 2;
 
-/** Runs a command of the selected objects that code fetched late makes. */
+/** Body of an action: fetches the placing code, and runs the command that it makes for the selected objects. */
 const runOn =
   (make: (placing: typeof Placing, scene: Scene, objects: readonly GameObject[]) => Command): Action['run'] =>
   async ({ document, commands }) => {

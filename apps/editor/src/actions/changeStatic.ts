@@ -3,7 +3,7 @@ import type { GameObject } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
 import { setStatic } from '../model/edits';
 
-/** Makes objects static or moving. Asks about objects below them when these differ. */
+/** Makes objects static or moving. When some of their descendants differ, asks whether these change too. */
 export async function changeStatic(
   { commands, dialogs }: EditorApi,
   objects: readonly GameObject[],
@@ -18,7 +18,7 @@ export async function changeStatic(
     const agreed = await dialogs.show({
       kind: 'confirm',
       title: isStatic ? t('Make static') : t('Make moving'),
-      text: t('There are {count} objects below that are otherwise. Shall they change too?', { count: below.length }),
+      text: t('{count} objects below are different. Shall they change too?', { count: below.length }),
       action: t('Change all'),
       other: { label: t('Only the selected'), choose: () => (changed = objects) },
     });

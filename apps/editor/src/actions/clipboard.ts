@@ -9,13 +9,13 @@ import { hasSelection } from './hasSelection';
 
 type ClipCode = typeof import('../model/clip');
 
-/** The code of copies, which the first frame does without; null until it was fetched. */
+/** Code for copying and pasting, fetched after the first frame; null until then. */
 let clipCode: ClipCode | null = null;
 
 const loadClipCode = async (): Promise<ClipCode> => (clipCode ??= await import('../model/clip'));
 
 /**
- * Copies what is selected: at once, or when the code of copies is there.
+ * Copies the selected objects: at once, or when the copying code is fetched.
  * @param copied - called with the objects once they were copied
  */
 function copySelection(
@@ -24,7 +24,7 @@ function copySelection(
 ): unknown {
   const { scene, selectedObjects } = document;
   const put = ({ copyObjects }: ClipCode): void => {
-    // some may have gone while the code was fetched
+    // objects may have been deleted while the code was fetched
     const objects = selectedObjects.filter((object) => scene.findById(object.id) === object);
     if (scene !== document.scene || objects.length === 0) return;
     const { text, files } = copyObjects(scene, objects);

@@ -5,7 +5,7 @@ const MODIFIERS = ['Control', 'Shift', 'Alt', 'Meta', 'AltGraph', 'CapsLock', 'D
 
 /** The key combination of a press, in the form that `matchKey` takes; null while only modifiers are held. */
 export function combinationOf(press: KeyPress): string | null {
-  // AZERTY has '?' on KeyM, and it must stay a sign
+  // on AZERTY, KeyM types '?', and the combination is the sign, not the letter
   let key = press.shiftKey && /^[!-~]$/.test(press.key) ? press.key : latinKey(press);
   if (MODIFIERS.includes(key)) return null;
   if (key === ' ') key = 'Space';

@@ -52,7 +52,7 @@ export const showPictureEffects = toggle(
 export const continuous = toggle('continuous', 'view.continuous', 'Draw without pause, to see frame rates', 'motion');
 export const showStatistics = toggle('showStatistics', 'view.statistics', 'Frame statistics', 'chart');
 
-/** An action that opens a tool over the picture, or ends it. @param tool - the tool's id */
+/** An action that opens a tool over the picture, or closes it when it is open. @param tool - the tool's id */
 const opener = (
   tool: string,
   rest: Pick<Action, 'id' | 'label' | 'keys'>,
@@ -80,7 +80,7 @@ export const measureLight = opener(
   async (viewport) => new (await import('../viewport/illuminance/LightMeterTool')).LightMeterTool(viewport),
 );
 
-/** Opens the tool that tells of which lights a clicked pixel is made. */
+/** Opens the tool that lists how much each light adds to a clicked pixel. */
 export const explainPixel = opener(
   'pixel-lighting',
   { id: 'view.explain-pixel', label: 'Explain a pixel', keys: ['Shift+M'] },
@@ -99,7 +99,7 @@ export const showIlluminance: Action = {
   checked: ({ viewport }) => viewport.painter?.isIlluminance ?? false,
 };
 
-/** Switches between one view, and four: top, front, right and the main one. */
+/** Switches between one view, and four views: top, front, right and the main one. */
 export const quadView: Action = {
   id: 'view.quad',
   label: 'Four views',

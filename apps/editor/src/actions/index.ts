@@ -78,8 +78,8 @@ type MenuGroups = Readonly<
 >;
 
 /**
- * The menu bar. Groups without actions are places of generated and of plugins' actions; groups that only plugins name come
- * last.
+ * The menu bar. Empty groups are filled by generated actions and by plugins' actions; groups that only plugins name
+ * come last.
  */
 export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
   file: {

@@ -19,7 +19,7 @@ export const isPadPress = ({ key, code }: KeyPress): boolean => key.length === 1
  * Whether a press matches a combination such as 'Ctrl+Shift+Z', 'F2' or '?'. Ctrl also stands for Command. Letters and
  * digits are compared by the typed character; by the key's position when it types neither (Cyrillic, Greek, AZERTY
  * digits), or with Alt, which types other characters on some systems. 'Numpad1' and the like are keys of the number
- * pad, and '1' is none of them.
+ * pad, '1' does not match them.
  * @param isTyped - whether only the typed character counts, not the position
  */
 export function matchKey(combination: string, press: KeyPress, isTyped = false): boolean {

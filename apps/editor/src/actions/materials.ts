@@ -4,7 +4,7 @@ import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import type { BuiltinSurfaceName } from '../model/surfaces/builtinSurfaces';
 
-/** Code of the actions, fetched with the first of them. */
+/** Code of the actions, fetched when the first of them runs. */
 const runs = async (): Promise<typeof import('./materialRuns')> => import('./materialRuns');
 
 /** Renderers of the selected objects. */

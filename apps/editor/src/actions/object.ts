@@ -52,7 +52,7 @@ export const toggleStatic: Action = {
     const { selectedObjects } = editor.document;
     const isStatic = !areStatic(editor);
     const { changeStatic } = await import('./changeStatic');
-    void changeStatic(editor, selectedObjects, isStatic); // the dialog that it may open outlasts the action
+    void changeStatic(editor, selectedObjects, isStatic); // not awaited: a dialog may stay open after the action has ended
   },
   enabled: hasSelection,
   checked: (editor) => editor.document.selectedObjects.length > 0 && areStatic(editor),
@@ -97,7 +97,7 @@ export const duplicateMany: Action = {
   async run({ document, viewport, tools }) {
     const { DuplicateTool } = await import('../viewport/placing/DuplicateTool');
     if (document.selection.ids.length === 0) return;
-    // first, since an open tool restores the scene when it ends
+    // ended first, since an open tool restores the scene when it ends
     tools.end();
     const tool: { current: InstanceType<typeof DuplicateTool> | null } = { current: null };
     tool.current = new DuplicateTool(document, viewport.rayCamera, () => tools.end(tool.current));

@@ -14,7 +14,7 @@ function focusedPanel(): string | null {
   return place?.id.replace(/^(panel|tab)-/, '') ?? null;
 }
 
-/** Focuses the next or previous panel in front. */
+/** Focuses the next or previous visible panel; after the last one comes the first. */
 function goRound(by: 1 | -1): void {
   const shown = [...document.querySelectorAll('.dock-panel:not([hidden])')].map(({ id }) => id.replace('panel-', ''));
   const at = shown.indexOf(focusedPanel() ?? '');
@@ -47,7 +47,7 @@ export const maximiseViewport: Action = {
   checked: ({ layout }) => layout.maximised() !== null,
 };
 
-/** The panel with the focus fills the window, or no longer. */
+/** Makes the focused panel fill the window, or restores the layout. */
 export const maximisePanel: Action = {
   id: 'panels.maximise-focused',
   label: 'Maximise the panel',

@@ -18,7 +18,7 @@ export const play: Action = {
   run(editor) {
     const { simulation } = editor.document;
     if (simulation.isPlaying) simulation.stop();
-    // a finger that would turn the editor's camera leads the scene's character instead
+    // on a touch screen dragging then moves the scene's character, not the editor's camera
     else if (isTouchScreen() && canPlayThrough(editor)) editor.viewport.playThrough(mainCamera(editor)!, false);
     else simulation.play();
   },

@@ -17,11 +17,11 @@ type RelayMessage =
   | { readonly kind: 'problem'; readonly problem: string }
   | (AgentMessage & { readonly number: number });
 
-/** Lets agents run tools in an editor, by way of the dev server, from the user's consent until it is ended. */
+/** Connection through the dev server by which agents run tools in an editor, from the user's consent until `end`. */
 export class AgentLink {
-  /** Emits when a client comes or goes, calls, or the link opens or ends. */
+  /** Emits when a client connects, disconnects or calls, and when the link opens or ends. */
   readonly changed = new Signal();
-  /** Fulfilled with whether the server lets agents in. */
+  /** Fulfilled with whether the server accepts agents. */
   readonly opened: Promise<boolean>;
   private readonly names = new Map<number, string>();
   private readonly socket: WebSocket;
@@ -93,7 +93,7 @@ export class AgentLink {
     if (this.waiting >= MOST_WAITING)
       return refuse(`${MOST_WAITING} calls are waiting already: call again when they are answered.`);
     this.waiting++;
-    // one after the other: each is made of the scene as the one before left it
+    // calls run one after the other, each on the scene that the call before left
     this.last = this.last.then(async () => {
       this.waiting--;
       if (this.isEnded) return;

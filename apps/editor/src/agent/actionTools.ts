@@ -5,7 +5,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { dialogOf } from './readTools';
 import { findObjects } from './findObjects';
 
-/** Commands that need a hand, with what an agent does in their place. */
+/** Commands that only the user can run, each with the reason and the alternative for an agent. */
 const byHand: Readonly<Record<string, string>> = {
   'file.open': 'the browser asks the user for the file: ask them to open it.',
   'file.agent': 'the user alone decides on it.',
@@ -76,7 +76,7 @@ export async function runAction(editor: EditorApi, { id, objects }: ToolInput<'r
   }
 }
 
-/** Takes steps back, or does them again. */
+/** Undoes or redoes steps of the history. */
 export function goThroughHistory({ commands }: EditorApi, direction: 'undo' | 'redo', steps = 1): object {
   const done: string[] = [];
   for (let i = 0; i < steps; i++) {
@@ -102,7 +102,8 @@ export async function openScene(editor: EditorApi, { name }: ToolInput<'open_sce
 
 export function playScene({ document: { simulation, scene } }: EditorApi, input: ToolInput<'play'>): object {
   const { do: what } = input;
-  if (what !== 'play' && what !== 'step' && simulation.state === 'stopped') throw new Error('The scene is stopped.');
+  if (what !== 'play' && what !== 'step' && simulation.state === 'stopped')
+    throw new Error('The scene is stopped: play it first.');
   simulation[what]();
   return { play: simulation.state, time: scene.time };
 }

@@ -20,7 +20,7 @@ export function libraryId(name: string): string | null {
 /** Entries of the Add menu by names that are the same in all languages, such as 'empty', 'Point light', 'box' and 'Street lamp'. */
 export function creationNames({ registry, assets }: Scene): {
   readonly names: readonly string[];
-  /** @throws Error (as a rejection) for an unknown name; it lists alike ones */
+  /** @throws Error (as a rejection) for an unknown name; it lists similar names */
   make(name: string): Promise<GameObject>;
 } {
   // in the order of `creations`, whose labels are in the language that is shown

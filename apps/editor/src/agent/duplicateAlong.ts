@@ -16,7 +16,7 @@ import { findObject, findObjects } from './findObjects';
 
 type Input = ToolInput<'duplicate_along'>;
 
-/** Maximum number of objects that a call makes, as the editor's own tool. */
+/** Maximum number of objects that a call makes, as in the editor's tool. */
 const MOST = 2000;
 
 const arrangementOf = (input: Input): Arrangement => ({
@@ -43,7 +43,7 @@ const arrangementOf = (input: Input): Arrangement => ({
   grouped: input.grouped ?? false,
 });
 
-/** Command that copies objects as the tool “Duplicate along” does. @throws Error when there is no place for them */
+/** Command that copies as the tool “Duplicate along” does. @throws Error without surface, or for over `MOST` */
 export function duplicateAlong({ document: { scene } }: EditorApi, input: Input): Command {
   const arrangement = arrangementOf(input);
   const sources = topmost(findObjects(scene, input.objects), scene);
@@ -52,7 +52,7 @@ export function duplicateAlong({ document: { scene } }: EditorApi, input: Input)
     throw new Error(
       'There is no surface to scatter over: name an object with a mesh as surface, or a smaller distance.',
     );
-  if (places.length > MOST) throw new Error(`These are ${places.length} objects: ${MOST} is the limit of one call.`);
+  if (places.length > MOST) throw new Error(`These are ${places.length} objects: make at most ${MOST} in one call.`);
   return arrangeObjects(scene, sources, places, arrangement);
 
   function placesOf(settings: Arrangement, objects: readonly GameObject[], { surface }: Input): ArrangedPlace[] {

@@ -30,7 +30,7 @@ interface Place {
   readonly by?: readonly number[];
 }
 
-/** An edit of an agent, prepared: its commands are made one by one, each once those before it are done. */
+/** A prepared edit of an agent; each of its commands is made once the commands before it are done. */
 export interface PreparedEdit {
   readonly make: readonly (() => Command)[];
   /** Objects that the edit added or changed, once it is done. */
@@ -46,7 +46,7 @@ const setValues = (label: string, owner: FieldOwner, values: Values, scene: Scen
 const containerOf = (scene: Scene, reference: string | undefined): Container =>
   reference === undefined || reference === 'scene' ? scene : findObject(scene, reference);
 
-/** The only component of a type on an object. @throws Error that lists those that there are */
+/** The only component of a type on an object. @throws Error that lists the object's components */
 function componentOf(object: GameObject, type: string): Component {
   const [found, second] = object.getComponents(type);
   if (!found) {
@@ -96,7 +96,7 @@ async function addEdit(editor: EditorApi, edit: EditOf<'add_object'>): Promise<P
   if (item === null) object = await creationNames(scene).make(edit.what);
   const make = [
     () => {
-      // not before: an earlier edit may have brought the prefab
+      // made here, not earlier: an edit before this one may have added the prefab
       const { prefab, steps } = item === null ? { prefab: null, steps: [] } : bringItem(scene, item);
       if (prefab !== null) object = instantiatePrefab(prefab, scene.registry);
       if (edit.name !== undefined) object.name = edit.name;
@@ -112,7 +112,7 @@ async function addEdit(editor: EditorApi, edit: EditOf<'add_object'>): Promise<P
   return { make, touched: () => [object] };
 }
 
-/** Command that adds a component. @throws Error for an unknown type, and for a second one where only one may be */
+/** Command that adds a component. @throws Error for an unknown type, and for a second one of a type that allows one */
 function added(scene: Scene, object: GameObject, type: string, values: Values = {}): Command {
   const found = scene.registry.get(type);
   if (found.unique && object.getComponent(type))
@@ -132,7 +132,7 @@ const ownProperties: Readonly<Record<string, (object: GameObject, value: never) 
   static: (object, value: boolean) => setStatic([object], value),
 };
 
-/** Command that sets a property of the object itself. @throws Error that names those that there are */
+/** Command that sets a property of the object itself. @throws Error that lists the properties */
 function setOwn(object: GameObject, name: string, value: unknown): Command {
   const isText = name === 'name';
   if (!Object.hasOwn(ownProperties, name))

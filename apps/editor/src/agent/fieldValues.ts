@@ -103,7 +103,7 @@ export const schemaOfFields = (fields: FieldTable): z.ZodObject =>
     ),
   );
 
-/** A field's value for an agent. */
+/** Converts a field's value to the form that agents read. */
 export function shownValue(field: Field, value: FieldValue): AgentValue {
   if (field.kind === 'colour') {
     const colour = value as readonly [number, number, number];
@@ -117,7 +117,7 @@ export function shownValue(field: Field, value: FieldValue): AgentValue {
   return value;
 }
 
-/** The end of "must be …", in the units of an agent. */
+/** Text after "must be …" in an error: the values that a field allows, in an agent's units. */
 function allowedBy(field: Field, value: unknown): string {
   const { min, max } = rangeOf(field);
   const range = [min !== undefined && `at least ${min}°`, max !== undefined && `at most ${max}°`].filter(Boolean);
@@ -129,7 +129,7 @@ function allowedBy(field: Field, value: unknown): string {
 }
 
 /**
- * An agent's value as the field keeps it.
+ * Converts an agent's value to the field's own unit.
  * @throws Error that names owner and field, and what is allowed
  */
 export function storedValue(owner: FieldOwner, name: string, value: unknown, scene: Scene): FieldValue {

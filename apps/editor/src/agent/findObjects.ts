@@ -1,13 +1,13 @@
 import type { GameObject, Scene } from '@farol/engine';
 
-/** Name of an object with those above it: 'Street/Lamp 3'. */
+/** Path of an object: the names of its ancestors and its own, as in 'Street/Lamp 3'. */
 export function pathOf(object: GameObject): string {
   return object.parent ? `${pathOf(object.parent)}/${object.name}` : object.name;
 }
 
 /**
  * The object of an id, a path or a name.
- * @throws Error that says what to give in its place
+ * @throws Error that says what to give instead
  */
 export function findObject(scene: Scene, reference: string): GameObject {
   const byId = scene.findById(reference);

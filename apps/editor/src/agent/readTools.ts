@@ -13,7 +13,7 @@ import { findObject, pathOf } from './findObjects';
 const short = (value: number): number => Number(value.toFixed(3)) + 0;
 const triple = (value: Vector3): number[] => value.toArray().map(short);
 
-/** One line of the tree. */
+/** One line of the tree that `get_scene` answers with: an object. */
 function lineOf(object: GameObject, depth: number): string {
   const types = object.components.slice(1).map(({ typeName }) => typeName);
   const light = object.getComponent(Light);

@@ -11,7 +11,7 @@ const MOST_LETTERS = 4_000_000;
 type EditName = keyof typeof edits;
 type Runner<Name extends ToolName> = (editor: EditorApi, input: ToolInput<Name>, client: string) => unknown;
 
-/** Every tool but the single edits, which are batches of one. */
+/** Runner of each tool except single edits, which run as batches of one. */
 const runners: { readonly [Name in Exclude<ToolName, EditName>]: Runner<Name> } = {
   get_scene: getScene,
   get_objects: getObjects,
@@ -47,6 +47,6 @@ export async function runTool(
     : await (runners[name as Exclude<ToolName, EditName>] as Runner<ToolName>)(editor, checked.input as never, client);
   if (Array.isArray(result) && name === 'screenshot') return result as Content[];
   const text = typeof result === 'string' ? result : JSON.stringify(result);
-  if (text.length > MOST_LETTERS) throw new Error(`The answer would have ${text.length} characters: ask for less.`);
+  if (text.length > MOST_LETTERS) throw new Error(`The answer would have ${text.length} characters: narrow the call.`);
   return [{ type: 'text', text }];
 }

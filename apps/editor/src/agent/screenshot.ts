@@ -4,10 +4,10 @@ import { type Camera, PerspectiveCamera, Vector3 } from 'three';
 import type { EditorApi } from '../api/EditorApi';
 import { findObject } from './findObjects';
 
-/** Longest wait for what the picture is made of, such as files of models (ms). */
+/** Longest wait for the files and code that the picture needs (ms). */
 const PATIENCE = 10_000;
 
-/** A camera to draw with, and the scene's component that it is of. */
+/** A three camera to draw with, and the scene's Camera that it belongs to; null for the editor's own. */
 interface Eye {
   readonly camera: Camera;
   readonly component: CameraComponent | null;
@@ -39,7 +39,7 @@ export async function takeScreenshot(editor: EditorApi, input: ToolInput<'screen
   if (!canvas.isConnected || canvas.width === 0 || canvas.height === 0)
     throw new Error('The picture is not shown: ask the user to open the panel Viewport.');
   if (viewport.isQuad) throw new Error('Four views are shown: run_action view.quad shows one.');
-  // files of the scene, and code that it needs
+  // files of the scene, and late code
   await Promise.race([picture.ready, new Promise((resolve) => setTimeout(resolve, PATIENCE))]);
   const { camera, component } = eyeOf(editor, input);
   const width = Math.min(input.width ?? 960, canvas.width);
@@ -50,7 +50,7 @@ export async function takeScreenshot(editor: EditorApi, input: ToolInput<'screen
   context.imageSmoothingQuality = 'high';
   picture.follow(edited.scene);
   picture.draw(edited.scene, camera, component);
-  // a canvas is cleared after its frame was shown
+  // copied in the same task: the browser clears the canvas after showing the frame
   context.drawImage(canvas, 0, 0, width, height);
   viewport.invalidate();
   const data = small.toDataURL('image/jpeg', 0.9);

@@ -39,7 +39,7 @@ export interface OpenFile {
 
 /** Stores unsaved changes, for recovery when the tab is killed. */
 export interface DraftKeeper {
-  /** Whether all that is to be kept is stored in the browser; of a scene that nobody has edited, nothing is. */
+  /** Whether no unsaved edit is missing in the browser's store. */
   readonly isUpToDate: boolean;
   /** Offers unsaved scenes of killed tabs. @returns whether there are any */
   offerRecovery(): Promise<boolean>;

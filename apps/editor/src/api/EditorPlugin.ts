@@ -8,7 +8,7 @@ import type { Action } from './Action';
 import type { EditorApi } from './EditorApi';
 import type { FieldEditorProps } from './FieldEditorProps';
 
-/** A field type: its allowed values, and its control. Fields of it are declared with the engine's `custom`. */
+/** A field type: its allowed values, and its control. Such fields are declared with the engine's `custom`. */
 export interface PluginFieldType extends FieldType {
   readonly editor: ComponentType<FieldEditorProps<CustomField>>;
 }

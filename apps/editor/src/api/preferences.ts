@@ -12,7 +12,7 @@ export interface Preferences {
   folded: Readonly<Record<string, boolean>>;
   /** Colour theme; 'system' follows the operating system's setting. */
   theme: 'dark' | 'light' | 'system';
-  /** Null for the first supported language of the browser's list. */
+  /** Language of the texts; null for the first supported one of the browser's list. */
   language: Language | null;
   /** Snapping increments of the gizmo: m, degrees, share of the size; each above 0. */
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };

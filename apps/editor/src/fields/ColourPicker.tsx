@@ -11,7 +11,7 @@ type ColourPickerProps = Pick<
   'value' | 'mixed' | 'label' | 'onPreview' | 'onCommit' | 'onAmend' | 'onDiscard'
 >;
 
-/** The sliders of react-colorful are named in English alone, one of them 'Color'. */
+/** Labels the sliders of react-colorful in the user's language; the library names them in English. */
 function nameSliders(picker: HTMLElement | null): void {
   const names = [t('Saturation and brightness'), t('Hue')];
   picker?.querySelectorAll('[role=slider]').forEach((slider, i) => slider.setAttribute('aria-label', names[i]));

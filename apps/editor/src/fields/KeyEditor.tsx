@@ -6,7 +6,6 @@ import { SearchSelect, type SearchOption } from '../ui/SearchSelect';
 interface KeyEditorProps {
   /** KeyboardEvent.code of the key; null when the edited objects have different ones. */
   readonly value: string | null;
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

@@ -89,7 +89,7 @@ export class ThumbnailMaker {
     this.isDrawing = false;
   }
 
-  /** Revokes URLs, after a delay in which their images are replaced. */
+  /** Revokes URLs, after a delay so that images that show them can be replaced. */
   private forget(pictures: Map<string, Promise<string | null>>): void {
     for (const picture of pictures.values()) {
       void picture.then((address) => address && setTimeout(() => URL.revokeObjectURL(address), 10_000));

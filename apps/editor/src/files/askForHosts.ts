@@ -3,7 +3,7 @@ import type { FileProblem, ForeignAddress } from '@farol/engine/files';
 import type { Dialogs } from '../model/Dialogs';
 import { firstNames } from './firstNames';
 
-/** Number of hosts listed, and of assets listed for each. */
+/** Number of assets listed for each host, and of hosts listed. */
 const LISTED = 4;
 const HOSTS = 30;
 
@@ -32,7 +32,7 @@ export const askForHosts = (dialogs: Dialogs, name: string, addresses: readonly 
   dialogs.show({
     kind: 'problems',
     title: t('{name} asks for files of other hosts', { name }),
-    text: t('They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:'),
+    text: t('The hosts would learn that you open it, and when. Without them the rest of the scene opens. It loads:'),
     problems: wants(addresses),
     action: t('Load from these hosts'),
     refusal: t('Open without them'),

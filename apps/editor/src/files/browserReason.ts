@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 
-/** Why the browser refused to write a file, as the end of a sentence; and the remedy, as a sentence of its own. */
+/** Why the browser refused to write a file, as the end of a sentence; and the remedy, as another sentence. */
 export interface BrowserReason {
   readonly why: string;
   readonly mend: string;

@@ -1,6 +1,6 @@
 import { formatCount, shortText, t } from '@farol/editing';
 
-/** Names for a message: the first ones of a list, shortened, and how many there are besides. */
+/** Names for a message: the first ones of a list, shortened, and the number of others. */
 export function firstNames(names: readonly string[], most: number): string {
   const rest = names.length - most;
   const more = rest > 0 ? t(' and {count} more', { count: formatCount(rest) }) : '';

@@ -35,7 +35,9 @@ test('files whose bytes are there already are used as they are, and importing th
   expect(await importFiles(editor, filesOf('other.ply'))).toEqual({ names: ['triangle.ply'], known: ['triangle.ply'] });
   expect(notices.current).toEqual([]);
   await importOnly(editor, filesOf('other.ply'));
-  expect(notices.current.map(({ text }) => text)).toEqual(['There already, with the same content: triangle.ply.']);
+  expect(notices.current.map(({ text }) => text)).toEqual([
+    'These exist already, with the same content: triangle.ply.',
+  ]);
   expect(commands.history.length).toBe(1);
 });
 

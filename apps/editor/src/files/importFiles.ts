@@ -24,7 +24,7 @@ const importable = readableEndings.replace('.gltf,', '.gltf, .fbx, .obj, .stl, .
 /** Whether a file can be imported by itself, judging by its extension. */
 export const isImportable = (path: string): boolean => typeOfUrl(path) !== null || /\.(fbx|obj|stl|zip)$/i.test(path);
 
-/** Most files that a message names. */
+/** Maximum number of files that a message names. */
 const LISTED = 8;
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
@@ -39,7 +39,7 @@ function find(files: FileMap, model: string, uri: string): [string, File] | null
     else if (part !== '.' && part !== '') parts.push(part);
   }
   const path = parts.join('/');
-  // files chosen one by one have no folder in their paths
+  // files that were chosen individually have no folder in their paths
   const found = [path, nameIn(path)].find((each) => files.has(each));
   return found === undefined ? null : [found, files.get(found)!];
 }
@@ -58,8 +58,8 @@ async function packed(files: FileMap, path: string, left: Set<string>): Promise<
 }
 
 /**
- * A photometric file with its lamp's tilt, which may be in a file of its own. @param left - paths of unused files; used
- * ones are removed
+ * A photometric file, with the tilt table of its lamp, which may be a separate file. @param left - paths of unused
+ * files; used ones are removed
  */
 async function packedProfile(files: FileMap, path: string, left: Set<string>): Promise<Blob> {
   const file = files.get(path)!;
@@ -133,7 +133,7 @@ export async function importOnly(editor: EditorApi, files: FileMap): Promise<voi
   const { known } = await importFiles(editor, files);
   if (known.length === 0) return;
   const names = firstNames([...new Set(known)], LISTED);
-  editor.notices.show('info', t('There already, with the same content: {names}.', { names }));
+  editor.notices.show('info', t('These exist already, with the same content: {names}.', { names }));
 }
 
 async function importAll(
@@ -191,7 +191,7 @@ async function importAll(
     }
   };
   const takeAll = async (): Promise<void> => {
-    // models first: files that they name become part of them
+    // models first: files that they refer to become part of them
     for (const path of files.keys()) {
       const ending = /\.(gltf|fbx|obj|stl)$/i.exec(path)?.[1].toLowerCase();
       if (ending === undefined) continue;

@@ -4,7 +4,7 @@ import { formatMicroShader, MicroShaderCompileError } from '@farol/renderer/micr
 import type { EditorApi } from '../api/EditorApi';
 import { checkMicroShaders } from '../microshaders/checkMicroShaders';
 
-/** Why microshaders are refused, as a sentence: the compiler's first error with microshader and line. */
+/** Error with the compiler's first message, its microshader and line. */
 function refusal(file: string, error: unknown): Error {
   const [first] = error instanceof MicroShaderCompileError ? error.entries : [];
   const reason = first
@@ -51,7 +51,7 @@ export async function importMicroShaders(
     const isAgreed = await dialogs.show({
       kind: 'problems',
       title: t('{file} replaces microshaders that are there', { file }),
-      text: t('What is drawn with them changes. History takes the import back in one step. It replaces:'),
+      text: t('All that uses these microshaders changes; undo takes the import back. It replaces:'),
       problems: replaced.map(({ name }) => ({
         path: name,
         problem: microShaders.isOwn(name)

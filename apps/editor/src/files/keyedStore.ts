@@ -1,10 +1,10 @@
 const done = <T>(request: IDBRequest<T>): Promise<T> =>
   new Promise((resolve, reject) => {
     request.addEventListener('success', () => resolve(request.result));
-    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store.')));
+    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store data.')));
   });
 
-/** Records of a database of the browser, each with an `id`. All functions reject where there is no storage. */
+/** Records of a database in the browser, each with an `id`. All functions reject when the browser has no storage. */
 export interface KeyedStore<T extends { readonly id: string }> {
   all(): Promise<T[]>;
   put(record: T): Promise<unknown>;

@@ -1,7 +1,7 @@
 import type { AssetFile, AssetLibrary } from '@farol/engine';
 import type { AssetType } from '@farol/engine/fields';
 
-/** Number of bytes at either end of a file that are compared first. */
+/** Number of bytes at the beginning and at the end of a file that are compared first. */
 const END = 1024;
 
 const fingerprints = new WeakMap<Blob, Promise<string>>();
@@ -11,7 +11,7 @@ async function makeFingerprint(blob: Blob): Promise<string> {
   return String.fromCharCode(...new Uint8Array(ends));
 }
 
-/** Hash of the first and the last bytes of a file; cached. */
+/** The first and the last bytes of a file as a string; cached. */
 function fingerprintOf(blob: Blob): Promise<string> {
   const known = fingerprints.get(blob) ?? makeFingerprint(blob);
   fingerprints.set(blob, known);

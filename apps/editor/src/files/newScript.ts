@@ -5,7 +5,7 @@ import { addScript, type ScriptText } from '../model/scriptEdits';
 
 /**
  * Adds a script, and opens it.
- * @param wanted - name with folder
+ * @param wanted - proposed name, with folder
  * @param users - objects that get the script's component
  * @param template - text that it begins with; a class with one field when absent
  * @returns the script's name

@@ -26,7 +26,7 @@ export async function openFirst(editor: EditorApi, name: string | null, read: Re
 const openNamed = (editor: EditorApi, name: string): Promise<void> =>
   Object.hasOwn(scenes, name) ? editor.openScene(name) : editor.openSample(name);
 
-/** Opens the temple in the evening; its first frame is seen before the programs of shadows are compiled. */
+/** Opens the temple in the evening; its first frame is shown before the programs of shadows are compiled. */
 async function openTemple(editor: EditorApi, read: Read): Promise<void> {
   const scene = await read((assets) => scenes.temple.build({ lights: 50, evening: true }, assets));
   if (!scene) return;

@@ -19,7 +19,7 @@ import { holdsNormals, isEnvironment } from './assetKinds';
 import type { DraggedAsset } from './dragAsset';
 import { landInPicture } from './landInPicture';
 
-/** Place where something is dropped. */
+/** Place where an asset is dropped. */
 export interface DropPlace {
   /** Parent of the new object; the scene when absent. */
   readonly parent?: Container;

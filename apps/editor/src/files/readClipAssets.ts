@@ -9,15 +9,15 @@ import { askForHosts } from './askForHosts';
 import { KnownFiles } from './knownAs';
 import { withProgress } from './withProgress';
 
-/** Gives a file by the name that copied assets have for it; null when it is gone. */
+/** Returns the file of a copied asset by its name; null when it no longer exists. */
 type FileOf = (name: string) => Promise<Blob | null>;
 
 /**
- * Reads assets of copied objects that the scene lacks: files of the clipboard, and URLs after asking about their hosts.
- * Scripts that the user never ran switch off all of the scene's until the user decides. Unreadable assets are reported
- * by name.
- * @param list - each after the assets that it uses
- * @param fileOf - gives the files that the list names; those of the clipboard when absent
+ * Reads assets of copied objects that the scene lacks: files of the clipboard, and URLs, after the user has allowed
+ * their hosts. Scripts that the user never ran: all scripts of the scene are switched off until the user decides.
+ * Unreadable assets are reported by name.
+ * @param list - assets, each after those that it uses
+ * @param fileOf - returns a file of the list by name; the clipboard's when absent
  * @throws AbortError when the user cancelled, and then nothing has changed
  */
 export async function readClipAssets(

@@ -47,7 +47,7 @@ export function watchDrops(editor: EditorApi): void {
   };
   const drop = (event: DragEvent): void => {
     if (isRefused(event) || !isOurs(event)) return;
-    // else the browser would navigate to the file
+    // otherwise the browser would navigate to the file
     event.preventDefault();
     const target = targetOf(event);
     if (target.kind === 'tree') event.stopPropagation();

@@ -2,14 +2,14 @@ import { t } from '@farol/editing';
 import type { EditorApi } from '../api/EditorApi';
 import type { RecoveryOffer } from '../model/Dialogs';
 
-/** Longest wait for the browser's store before the welcome page is shown (ms). */
+/** Longest wait for the browser's storage before the welcome page is shown (ms). */
 const PATIENCE = 1500;
 
 /**
  * Shows the welcome page if wanted, with sessions to recover. A user who has begun to work gets a notice instead of a
  * dialog.
- * @param load - fetches the code of the welcome page, which is shown whole or not yet
- * @returns to be called once the sessions are known; null for none
+ * @param load - fetches the code of the welcome page, which is shown once complete
+ * @returns a function to call with the recoverable sessions; null for none
  */
 export function welcomeUser(
   editor: EditorApi,

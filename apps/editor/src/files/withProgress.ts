@@ -4,9 +4,9 @@ import type { Dialogs, WorkProgress } from '../model/Dialogs';
 const LONG = 1000;
 
 /**
- * Runs work with a progress dialog that can cancel it, and opens after a second, or at once where it tells how far the work is.
+ * Runs work with a progress dialog that can cancel it. It opens after a second, or at once when progress is known.
  * @param run - gets a signal that is aborted when the user cancels
- * @throws AbortError (as a rejection) when cancelled, else whatever the work throws
+ * @throws AbortError (as a rejection) when cancelled, else the error of the work
  */
 export async function withProgress<T>(
   dialogs: Dialogs,

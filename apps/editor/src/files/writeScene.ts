@@ -56,7 +56,7 @@ async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): 
     saved = await saveFile(content, { ...fileType, fileName: saved.name }, saved);
   }
   const name = saved?.name ?? fileName;
-  // not marked as saved if another scene was opened meanwhile: it would overwrite this file
+  // not marked as saved when another scene was opened meanwhile: that one would be saved to this file later
   if (editor.document.scene !== scene) return name;
   editor.saved(await seenFile(content, { name, handle: saved }), step);
   const { noteRecent } = await import('./recent/noteRecent');

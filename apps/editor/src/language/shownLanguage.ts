@@ -18,7 +18,7 @@ const loaders: Readonly<Record<Language, () => Promise<LanguageTexts>>> = {
 
 let shown: Language = 'en';
 let translate = asItIs;
-/** The language requested last; texts of one requested before may arrive later, and are ignored. */
+/** The language requested last; texts of languages requested earlier may still arrive, and are ignored. */
 let asked: Language = 'en';
 
 /** Emits when the language changes, which is common to all editors of the page. */

@@ -10,7 +10,7 @@ export function storedLanguage(storage: string): Language {
     const kept = JSON.parse(localStorage.getItem(storage) ?? '{}') as { state?: { language?: unknown } };
     chosen = kept.state?.language;
   } catch {
-    // storage is missing, or its content malformed
+    // the browser has no storage, or its content is malformed
   }
   return firstLanguage(chosen, navigator.languages);
 }

@@ -19,13 +19,13 @@ interface LayoutState {
   isSmall: boolean;
   /** Id of the panel beside the viewport in a small window; null for none. Not stored. */
   sheet: string | null;
-  /** Share of a small window that this panel takes. */
+  /** Share of a small window, 0 to 1, that the panel beside the viewport takes. */
   share: number;
-  /** Whether the user has sized panels. */
+  /** Whether the user has resized panels. */
   isSized: boolean;
 }
 
-/** Greatest share of the window's height that a panel takes by itself. */
+/** Largest share of the window's height that a panel is grown to automatically. */
 const LARGEST_HEIGHT = 0.45;
 
 /** Smallest and largest share of the dock that the panel of a small window takes. */
@@ -80,7 +80,7 @@ export class PanelLayout {
         if (!isNew) continue;
         const front = groupsOf(layout).map(({ active }) => active);
         layout = openPanel(layout, panel, panels.list);
-        // new panels are opened behind those in front
+        // the panels that were in front stay in front of new ones
         for (const id of front) layout = activatePanel(layout, id);
       }
     }
@@ -89,19 +89,16 @@ export class PanelLayout {
     return layout;
   };
 
-  /** Id of the panel that fills the window; null for none. */
   readonly maximised = (): string | null => this.store.getState().maximised;
 
   /** Whether the window has space for only one panel beside the viewport, see `isSmallWindow`. */
   readonly isSmall = (): boolean => this.store.getState().isSmall;
 
-  /** Id of the panel beside the viewport in a small window; null for none. */
   readonly sheet = (): string | null => this.store.getState().sheet;
 
   /** Share of a small window that the panel beside the viewport takes, 0 to 1. */
   readonly share = (): number => this.store.getState().share;
 
-  /** Sets whether the window is small. */
   setSmall(isSmall: boolean): void {
     if (isSmall !== this.isSmall()) this.store.setState({ isSmall });
   }

@@ -14,8 +14,8 @@ export interface Panel {
   /** Whether the panel is open by default; true when absent. The Panels menu opens others. */
   readonly isOpen?: boolean;
   /**
-   * Smallest useful height (CSS pixels): opening the panel at the bottom grows it so far, at most to 45% of the window,
-   * unless the user has sized panels. Any when absent.
+   * Smallest useful height (CSS pixels): opening the panel at the bottom grows it to that, at most to 45% of the
+   * window, unless the user has resized panels. No minimum when absent.
    */
   readonly height?: number;
   /** Fetches the component when the panel is first in front. Its effects are off while it is behind another panel. */

@@ -7,7 +7,7 @@ export interface PlacedPanel {
   readonly id: string;
   readonly place: PanelPlace;
   readonly isOpen?: boolean;
-  /** Smallest useful height (CSS pixels); any when absent. */
+  /** Smallest useful height (CSS pixels); no minimum when absent. */
   readonly height?: number;
 }
 

@@ -125,7 +125,7 @@ export function resizeSplit(layout: LayoutNode, path: readonly number[], sizes: 
   return { ...layout, children: layout.children.with(first, child) };
 }
 
-/** Gives a panel at least a height (CSS pixels), where it lies above or below the viewport. */
+/** Grows a panel above or below the viewport to a minimum height (CSS pixels). */
 export function growPanel(layout: LayoutNode, panel: string, least: number): LayoutNode {
   if (layout.kind === 'group') return layout;
   const at = layout.children.findIndex((child) => groupWith(child, panel));

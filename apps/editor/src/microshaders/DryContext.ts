@@ -4,7 +4,7 @@ export interface DrySource {
   readonly text: string;
 }
 
-/** Methods passed on to the real context, since they only query. */
+/** Methods that only query, and are passed on to the real context. */
 const QUESTIONS = [
   'getParameter',
   'getExtension',

@@ -11,7 +11,7 @@ import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
 import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts';
 
-/** Removes microshaders from a registry, dependents before their dependencies. @returns those that are still needed */
+/** Removes microshaders from a registry, dependents before their dependencies. @returns those that others include */
 function takeOut(registry: MicroShaderRegistry, names: readonly string[]): string[] {
   let remaining = names.filter((name) => registry.has(name));
   for (let countBefore = Infinity; remaining.length < countBefore;) {
@@ -108,7 +108,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
 
   /**
    * Removes the scene's text of a microshader: a built-in one gets its original text, another one is deleted. @throws
-   * Error when it is needed
+   * Error when other microshaders include it
    */
   revert(name: string): void {
     this.discardDraft(name);
@@ -133,7 +133,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
     this.run(label, edits);
   }
 
-  /** The scene's microshaders as they are in use; all microshaders when it has none. */
+  /** The texts in use of the scene's microshaders; of all microshaders when the scene has none. */
   exported(): MicroShader[] {
     const sceneNames = [...this.document.scene.microShaders.texts.keys()].toSorted();
     return (sceneNames.length > 0 ? sceneNames : this.names).flatMap((name) => this.registry.get(name) ?? []);
@@ -151,7 +151,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
   /**
    * Adds a plugin's microshaders to every renderer of the editor.
    * @param texts - texts in the form of `.glsl` files, by name
-   * @returns a function that removes them, and returns the names of those that stay because they are needed
+   * @returns a function that removes them, and returns the names of those that stay because others include them
    */
   addChunks(texts: Readonly<Record<string, string>>): () => string[] {
     const names = Object.keys(texts);

@@ -33,7 +33,7 @@ export class MicroShaderUses {
   ) {
     // microshaders outside all programs are compiled too, or errors would only appear once they are used
     farol.microshaders.addCheck((all) => {
-      // microshaders of surfaces are looked up elsewhere
+      // microshaders of surfaces are compiled by SurfaceEditing
       const names = all.filter((name) => !isOfSurface(name));
       if (names.length === 0) return;
       const live = this.liveChunks();
@@ -45,14 +45,14 @@ export class MicroShaderUses {
     return this.farol.webgl.getContext() as WebGL2RenderingContext;
   }
 
-  /** Techniques that draw themselves: all but 'auto', which selects another one. */
+  /** Techniques that draw themselves: all except 'auto', which selects one of them. */
   private get techniques(): TechniqueName[] {
     return (Object.keys(this.farol.techniques) as TechniqueName[]).filter((name) => name !== 'auto');
   }
 
   /**
    * Finds the microshaders of each technique and debug view, one after the other, without blocking the page. Results
-   * are kept; techniques added since are searched.
+   * are cached; a later call searches only techniques added since.
    */
   find(): Promise<void> {
     if (this.isKnown) return Promise.resolve();
@@ -68,12 +68,12 @@ export class MicroShaderUses {
     return this.byView.size === VIEWS.length && this.techniques.every((name) => this.byTechnique.has(name));
   }
 
-  /** Techniques that use a microshader, without 'auto'. */
+  /** Techniques that use a microshader, except 'auto'. */
   techniquesOf(name: string): TechniqueName[] {
     return this.drawn.filter(([, chunks]) => chunks.has(name)).map(([technique]) => technique);
   }
 
-  /** Debug views that use a microshader, apart from the final image. */
+  /** Debug views that use a microshader, except the final image. */
   viewsOf(name: string): View[] {
     const common = this.techniquesOf(name).length === this.drawn.length;
     return common ? [] : [...this.byView].filter(([, chunks]) => chunks.has(name)).map(([view]) => view);

@@ -33,7 +33,7 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
       .toSorted((a, b) => a.localeCompare(b));
   }
 
-  /** Why the edited text of a surface is not drawn with; null when it is. */
+  /** Why the edited text of a surface is not in use; null when it is. */
   problem(name: string): MicroShaderProblemText | null {
     const asset = this.document.assets.surface(name);
     if (!asset) return null;

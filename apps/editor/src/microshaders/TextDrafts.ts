@@ -5,7 +5,7 @@ import type { ConsoleLog } from '../model/ConsoleLog';
 /** Delay between the last key press and compiling (ms). */
 const DELAY = 180;
 
-/** Why an edited GLSL text is not drawn with: message, and the compiler's errors. */
+/** Why an edited GLSL text is not in use: message, and the compiler's errors. */
 export interface MicroShaderProblemText {
   readonly message: string;
   /** Compiler errors by microshader and line; empty when the text could not be parsed. */
@@ -30,7 +30,7 @@ export abstract class TextDrafts<Key> {
   private gesture: Gesture | null = null;
   private waiting: { readonly key: Key; readonly timer: ReturnType<typeof setTimeout> } | null = null;
 
-  /** @param log - broken texts are logged there by `finish` */
+  /** @param log - receives from `finish` the texts that do not compile */
   constructor(
     private readonly commands: () => CommandStack,
     protected readonly log: ConsoleLog,
@@ -76,10 +76,10 @@ export abstract class TextDrafts<Key> {
    */
   protected abstract compile(key: Key, text: string): Command<unknown> | null;
 
-  /** Name of the edited item for the console. */
+  /** Name of the edited text in the console. */
   protected abstract chunkOf(key: Key): string;
 
-  /** Name for the console of the microshader that has an error. */
+  /** Name in the console of the microshader that has an error. */
   protected abstract chunkAt(key: Key, entry: MicroShaderCompileEntry): string;
 
   /** Whether a text is waiting to be compiled. */

@@ -9,7 +9,7 @@ import { makeDryScene } from './dryScene';
  * Sources of the shaders that a technique or debug view uses on this device, without drawing or compiling.
  * @param texts - microshaders of the scene
  * @param techniques - techniques by name, including ones that the renderer may not know
- * @param inspect - called with the registry that has the texts, and names of texts that it refused
+ * @param inspect - called with the registry that has the texts, and names of the texts that the registry refused
  */
 export function dryRun(
   gl: WebGL2RenderingContext,

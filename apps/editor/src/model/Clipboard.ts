@@ -1,28 +1,28 @@
 import { Signal } from '@farol/editing';
 import type { ClipboardFiles } from './ClipboardFiles';
 
-/** Key of localStorage under which other tabs of the editor find the copied text. */
+/** Key in localStorage from which other tabs of the editor read the copied text. */
 const KEY = 'farol-clipboard';
 
 const NONE: ReadonlyMap<string, Blob> = new Map();
 
-/** Fetched with the first copy that has files, or the first paste that needs files of another tab. */
+/** Code for copied files, fetched with the first copy that has some, or a paste that needs those of another tab. */
 const loadFiles = async (): Promise<ClipboardFiles> => import('./ClipboardFiles');
 
 /**
- * Copied objects and values as text, with the files they name; shared by all tabs of a browser. Asks for no permission,
- * since the system's clipboard is not used.
+ * Copied objects and values as text, with the files that the text refers to; shared by all tabs of a browser. Needs no
+ * permission, since the system's clipboard is not used.
  */
 export class Clipboard {
   /** Emits when something was copied in this tab. */
   readonly changed = new Signal();
 
-  /** Copied objects on their way, while the code of copies is fetched; null when there are none. */
+  /** Pending while the copying code is fetched and objects are copied; null otherwise. */
   coming: Promise<void> | null = null;
 
   private copiedText: string | null = null;
   private files: ReadonlyMap<string, Blob> = NONE;
-  /** Whether files are being stored; until then other tabs still have the copy before this one. */
+  /** Whether files are being stored; until then other tabs read the copy before this one. */
   private isStoring = false;
   private hasStored = false;
 
@@ -40,12 +40,12 @@ export class Clipboard {
     this.put(text, NONE);
   }
 
-  /** Whether GameObjects were copied last, or are on their way. */
+  /** Whether GameObjects were copied last, or are being copied. */
   get hasObjects(): boolean {
     return this.coming !== null || (this.text?.startsWith('{"format":"farol-objects"') ?? false);
   }
 
-  /** Tells that objects are being copied. @param copied - fulfilled once they were put here; rejected when they cannot be */
+  /** Notes that objects are being copied. @param copied - fulfilled after `put`; rejected when copying failed */
   async expect(copied: Promise<void>): Promise<void> {
     this.coming = copied;
     this.changed.emit();
@@ -57,7 +57,7 @@ export class Clipboard {
     }
   }
 
-  /** @param files - files that the text names, by the names it has for them */
+  /** Sets the copy. @param files - files that the text refers to, by their names in it */
   put(text: string | null, files: ReadonlyMap<string, Blob>): void {
     this.copiedText = text;
     this.files = files;
@@ -67,7 +67,7 @@ export class Clipboard {
     this.changed.emit();
   }
 
-  /** A file that the copied text names, copied in this tab or another; null when it is gone. */
+  /** A file that the copied text refers to, copied in this tab or another; null when it no longer exists. */
   async file(name: string): Promise<Blob | null> {
     const copiedFile = this.files.get(name);
     if (copiedFile) return copiedFile;
@@ -78,14 +78,14 @@ export class Clipboard {
     }
   }
 
-  /** Stores the files before the text, so that a tab that finds the text finds its files too. */
+  /** Stores the files before the text, so that a tab that reads the text finds its files. */
   private async store(text: string | null, files: ReadonlyMap<string, Blob>): Promise<void> {
     this.isStoring = true;
     try {
       await (await loadFiles()).writeFiles(files);
       this.hasStored = true;
     } catch {
-      // storage is missing or full: the tab that pastes reports the files that are missing
+      // no storage, or no space: the tab that pastes reports the missing files
     }
     if (this.files !== files) return;
     this.isStoring = false;
@@ -97,11 +97,11 @@ export class Clipboard {
       if (text === null) localStorage.removeItem(KEY);
       else localStorage.setItem(KEY, text);
     } catch {
-      // storage is missing or full: the copy before must not be pasted in place of this one
+      // no storage, or no space: the previous copy must not be pasted in place of this one
       try {
         localStorage.removeItem(KEY);
       } catch {
-        // storage is missing
+        // no storage
       }
     }
     if (!this.hasStored || this.files.size > 0) return;

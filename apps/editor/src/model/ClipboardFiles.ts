@@ -1,8 +1,8 @@
-/** The files of the last copy in IndexedDB, where other tabs find them. */
+/** Name of the IndexedDB database with the files of the last copy, which other tabs read. */
 
 const NAME = 'farol-clipboard';
 
-/** Functions that keep the files of copied objects; their code is fetched late. */
+/** Functions that store the files of copied objects; their code is fetched late. */
 export interface ClipboardFiles {
   readFile(name: string): Promise<Blob | null>;
   writeFiles(files: ReadonlyMap<string, Blob>): Promise<void>;
@@ -11,14 +11,14 @@ export interface ClipboardFiles {
 const done = <T>(request: IDBRequest<T>): Promise<T> =>
   new Promise((resolve, reject) => {
     request.addEventListener('success', () => resolve(request.result));
-    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store.')));
+    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store data.')));
   });
 
 const ended = (transaction: IDBTransaction): Promise<void> =>
   new Promise((resolve, reject) => {
     transaction.addEventListener('complete', () => resolve());
     transaction.addEventListener('abort', () =>
-      reject(transaction.error ?? new Error('The browser refused to store.')),
+      reject(transaction.error ?? new Error('The browser refused to store data.')),
     );
   });
 

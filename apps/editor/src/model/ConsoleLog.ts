@@ -16,7 +16,7 @@ export type ConsoleSource =
   | 'plugin'
   | 'page';
 
-/** A line (from 1) of a microshader or of a script, known by name. */
+/** A line (from 1) of a microshader or script, given by name. */
 export type ConsolePlace =
   | { readonly chunk: string; readonly line: number }
   | { readonly script: string; readonly line: number };
@@ -26,7 +26,6 @@ export interface ConsoleEntry {
   readonly kind: ConsoleKind;
   readonly source: ConsoleSource;
   readonly text: string;
-  /** Number of times that the message was logged. */
   readonly count: number;
   /** Time of the last repetition (ms since 1970). */
   readonly time: number;
@@ -34,7 +33,7 @@ export interface ConsoleEntry {
   readonly place?: ConsolePlace;
 }
 
-/** Maximum number of messages kept; the oldest are dropped. */
+/** Maximum number of messages; the oldest are dropped. */
 const LIMIT = 500;
 
 /** Messages logged since the page was opened. A repeated message is one entry with a count. */

@@ -2,7 +2,7 @@ import { Signal } from '@farol/editing';
 import type { FileProblem } from '@farol/engine/files';
 import type { SessionInfo } from './SessionInfo';
 
-/** Asks the user a question with two answers, or three. */
+/** A question with two or three answers. */
 export interface ConfirmDialog {
   readonly kind: 'confirm';
   readonly title: string;
@@ -13,7 +13,7 @@ export interface ConfirmDialog {
   readonly other?: { readonly label: string; choose(): void };
 }
 
-/** Lists everything that is wrong with a file. */
+/** A list of everything that is wrong with a file. */
 export interface ProblemsDialog {
   readonly kind: 'problems';
   readonly title: string;
@@ -29,7 +29,7 @@ export interface ProblemsDialog {
 
 /** Progress of a long task. */
 export interface WorkProgress {
-  /** Emits when the rest has changed. */
+  /** Emits when the remaining time has changed. */
   readonly changed: Signal;
   /** Part of the task that is done, 0 to 1. */
   readonly share: number;
@@ -44,12 +44,12 @@ export interface ProgressDialog {
   readonly progress?: WorkProgress;
 }
 
-/** A dialog that is told nothing: what it shows is the editor's. */
+/** A dialog without parameters, which shows the editor's own state. */
 export interface PlainDialog {
   readonly kind: 'about' | 'agent' | 'export' | 'film' | 'keys' | 'palette' | 'phone' | 'picture';
 }
 
-/** Unsaved scenes of tabs that were closed. */
+/** Unsaved scenes of closed tabs, and functions to open or delete them. */
 export interface RecoveryOffer {
   readonly sessions: readonly SessionInfo[];
   /** Opens the scene of a session. */
@@ -58,7 +58,7 @@ export interface RecoveryOffer {
   discard(session: SessionInfo): Promise<void>;
 }
 
-/** Offers unsaved scenes of tabs that were closed. */
+/** Dialog that offers unsaved scenes of closed tabs. */
 export interface RecoverDialog extends RecoveryOffer {
   readonly kind: 'recover';
 }
@@ -93,10 +93,9 @@ export type DialogRequest =
 
 /** The open dialog; one at a time. */
 export class Dialogs {
-  /** Emits when a dialog opens or closes. */
   readonly changed = new Signal();
 
-  /** Text typed while the code of the palette that is open was fetched. */
+  /** Text typed while the code of the opened palette was being fetched. */
   typed = '';
 
   private request: DialogRequest | null = null;

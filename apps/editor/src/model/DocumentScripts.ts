@@ -41,7 +41,7 @@ export class DocumentScripts {
   /** Emits when a script is compiled, fails or is removed, when one throws, and when scripts are switched on or off. */
   readonly changed = new Signal();
 
-  /** Why scripts are off, while the user has yet to decide whether they run; null when there is nothing to decide. */
+  /** Why scripts are off, until the user decides whether they run; null when there is nothing to decide. */
   question: OffReason | null = null;
 
   private held: OffReason | null = null;
@@ -50,6 +50,8 @@ export class DocumentScripts {
   private current: SceneScripts | null = null;
   private isWanted = true;
   private failed: ReadonlyMap<string, ScriptFailure> = NONE;
+  /** Text that each failure's script had when it threw. */
+  private readonly textOf = new WeakMap<ScriptFailure, unknown>();
   private endWatch: () => void = () => {};
   /** Pending while the script compiler and modules are being fetched. */
   private starting: Promise<void> | null = null;
@@ -76,27 +78,27 @@ export class DocumentScripts {
     return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
   }
 
-  /** Switches scripts off, in this scene and those opened next, until the user switches them on; `framed` ones cannot be. */
+  /** Switches scripts off, in this scene and the next ones, until the user switches them on; `framed` forbids that. */
   hold(reason: OffReason): void {
     this.isOn = false;
     this.held = this.question = reason;
     this.changed.emit();
   }
 
-  /** Switches all scripts off, because some came into this scene from elsewhere, until the user decides whether they run. */
+  /** Switches all scripts off until the user decides, since some were added to this scene from elsewhere. */
   ask(): void {
     if (!this.isWanted) return;
     this.question = 'foreign';
     this.isOn = false;
   }
 
-  /** Leaves scripts off at the user's wish; the question is not asked again for this scene. */
+  /** Keeps scripts off, as the user decided; the question is not asked again for this scene. */
   keepOff(): void {
     this.question = null;
     this.changed.emit();
   }
 
-  /** The types of a registry but those that scripts made: each opened scene gets the types of its own scripts. */
+  /** The types of a registry except those defined by scripts: each opened scene gets the types of its own scripts. */
   withoutScripts(registry: ComponentRegistry): ComponentRegistry {
     const others = [...registry.types.values()].filter((type) => this.current?.scriptOf(type) == null);
     return new ComponentRegistry(others, { keepUnknown: registry.keepsUnknown });
@@ -107,7 +109,7 @@ export class DocumentScripts {
     return this.current?.errors ?? NONE;
   }
 
-  /** The last error that each script threw since the scene began to play, by the script's name. */
+  /** The last error that each script threw, with its present text, since the scene began to play, by script name. */
   get failures(): ReadonlyMap<string, ScriptFailure> {
     return this.failed;
   }
@@ -170,16 +172,21 @@ export class DocumentScripts {
       component: component.typeName,
       object: component.isAttached ? component.gameObject.name : '',
     };
+    this.textOf.set(failure, this.sourceOf(place.script));
     this.failed = new Map([...this.failed, [place.script, failure]]);
     this.changed.emit();
     return failure;
   }
 
-  /** @internal Called when the scene begins to play, or stops. */
+  /** @internal Called when the scene begins to play. */
   forgetFailures(): void {
     if (this.failed.size === 0) return;
     this.failed = NONE;
     this.changed.emit();
+  }
+
+  private sourceOf(script: string): unknown {
+    return this.scene?.assets.fieldAsset(script)?.get('source');
   }
 
   /** Runs the scene's scripts, once it has some. */
@@ -197,7 +204,11 @@ export class DocumentScripts {
 
   private start(options: SceneScriptsOptions): void {
     this.current = new SceneScripts(this.scene!, this.registry!, { ...options, isOn: this.isWanted });
-    this.current.onChange(() => this.changed.emit());
+    this.current.onChange(() => {
+      const kept = [...this.failed].filter(([script, failure]) => this.textOf.get(failure) === this.sourceOf(script));
+      if (kept.length < this.failed.size) this.failed = new Map(kept);
+      this.changed.emit();
+    });
     this.changed.emit();
   }
 }

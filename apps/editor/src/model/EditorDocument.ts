@@ -17,7 +17,7 @@ import { Simulation } from './Simulation';
 type OwnerSignal = Signal<readonly [field?: string]>;
 
 /**
- * The edited scene with its history, selection and simulation, free of React and canvas. Every edit goes through
+ * The edited scene with its history, selection and simulation, without React or a canvas. Every edit goes through
  * `commands`; simulation writes to the scene directly and never becomes history.
  */
 export class EditorDocument {
@@ -56,7 +56,7 @@ export class EditorDocument {
   readonly previewed = new Signal();
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
-  /** Called with what a component throws while it is simulated. */
+  /** Called with the error that a component throws while the scene plays. */
   onComponentError: (component: Component, error: unknown) => void = () => {};
 
   private current: Scene;
@@ -79,7 +79,6 @@ export class EditorDocument {
     this.unsubscribe = this.watch(this.current);
     this.selection.onSet = () => this.assetSelection.clear();
     this.openScripts(true);
-    this.simulation.changed.subscribe(() => this.simulation.state === 'stopped' || this.scripts.forgetFailures());
   }
 
   get scene(): Scene {
@@ -96,7 +95,7 @@ export class EditorDocument {
   }
 
   /**
-   * Shows another scene, with an empty history. The scene before is disposed.
+   * Shows another scene, with an empty history. The previous scene is disposed of.
    * @param runsScripts - whether its scripts run; those of a scene from elsewhere are off until the user allows them
    */
   open(scene: Scene, runsScripts = true): void {
@@ -168,7 +167,7 @@ export class EditorDocument {
 
   private openScripts(isOn: boolean): void {
     const { current: scene } = this;
-    // classes of scripts belong to one scene: they are not in a registry that scenes share
+    // classes of scripts belong to one scene, so they are not in a shared registry
     if (!this.registry)
       scene.registry = new ComponentRegistry(scene.registry.types.values(), {
         keepUnknown: scene.registry.keepsUnknown,

@@ -16,7 +16,7 @@ export interface Notice {
 /** Maximum number of messages shown at a time, besides lasting ones. */
 const MOST = 3;
 
-/** Short messages that need no answer. They disappear by themselves, and stay in the console. */
+/** Short messages that need no answer. They disappear after a while, but remain in the console. */
 export class Notices {
   readonly changed = new Signal();
 

@@ -7,7 +7,7 @@ export interface TextPlace {
   readonly line: number;
 }
 
-/** The place that a panel of texts is asked to show. */
+/** The place in a text that a panel scrolls to. */
 export class PlaceToShow {
   private readonly changed = new Signal();
   private place: TextPlace | null = null;

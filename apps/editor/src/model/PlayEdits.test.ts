@@ -156,6 +156,36 @@ export default class Maker extends component({}) {
     expect(state()).toBe(played);
   });
 
+  it('of a script take back what its text threw; steps, pauses and the end do not', async () => {
+    const text = (act: string): string => `import { component } from '@farol/engine/fields';
+export default class Worker extends component({}) {
+  update() { ${act} }
+}`;
+    document = new EditorDocument(undefined, undefined, scriptsInNode());
+    const { scene, scripts, simulation, assets } = document;
+    const script = assets.addFieldAsset('script', 'Worker', { source: text("throw new Error('no lamp');") });
+    await scripts.settled();
+    const house = new GameObject('House');
+    scene.add(house);
+    house.addComponent('Worker');
+    const told = (): string[] => [...scripts.failures.values()].map(({ message }) => message);
+    document.onComponentError = (each, error) => void scripts.note(each, error);
+    simulation.step();
+    expect(told()).toEqual(['no lamp']);
+    simulation.play();
+    simulation.pause();
+    expect(told()).toEqual(['no lamp']);
+    script.set('source', text('this.calls = 1;'));
+    await scripts.settled();
+    expect(told()).toEqual([]);
+    simulation.stop();
+    script.set('source', text("throw new Error('no lamp');"));
+    await scripts.settled();
+    simulation.step();
+    simulation.stop();
+    expect(told()).toEqual(['no lamp']);
+  });
+
   it('of scripts stay when the scene stops, as steps; what scripts did is taken back', async () => {
     const text = (act: string): string => `import { component } from '@farol/engine/fields';
 export default class Worker extends component({}) {

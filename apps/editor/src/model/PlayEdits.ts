@@ -1,8 +1,7 @@
-import { type Command, type CommandStack, currentOf, labelOfField, SetFields, Signal, t } from '@farol/editing';
+import { type Command, currentOf, labelOfField, SetFields, Signal, t } from '@farol/editing';
 import {
   type Component,
   type FieldAsset,
-  type Scene,
   ScriptAsset,
   type SceneSettings,
   SurfaceAsset,
@@ -12,6 +11,7 @@ import { checkFieldValue, type FieldOwner, type FieldValue, sameValue } from '@f
 import { AddAssets, RemoveAsset } from './commands/AddAssets';
 import { CommandList } from './commands/CommandList';
 import { Sequence } from './commands/Sequence';
+import type { EditorDocument } from './EditorDocument';
 
 /** A field value edited while the scene played. */
 export interface PlayChange {
@@ -31,7 +31,7 @@ const sameField = (a: { owner: FieldOwner; name: string }, b: { owner: FieldOwne
  * can then be kept one by one, or all edits together.
  */
 export class PlayEdits {
-  /** Emits when there is something to keep, or nothing any more. */
+  /** Emits when `changes` or `others` become empty or not empty. */
   readonly changed = new Signal();
 
   private values: readonly PlayChange[] = [];
@@ -41,11 +41,11 @@ export class PlayEdits {
   /** Names of the assets when the scene began to play. */
   private assetsBefore: ReadonlySet<string> = new Set();
 
-  constructor(private readonly document: { readonly commands: CommandStack; readonly scene: Scene }) {}
+  constructor(private readonly document: Pick<EditorDocument, 'commands' | 'scene' | 'scripts'>) {}
 
   /**
-   * Values that can be kept. Left out are fields that are gone (a script's text may have changed since) and names of
-   * assets that are gone (made or renamed while the scene played).
+   * Values that can be kept. Without fields that no longer exist (a script's text may have changed since), and without
+   * names of assets that no longer exist (made or renamed while the scene played).
    */
   get changes(): readonly PlayChange[] {
     const { assets } = this.document.scene;
@@ -70,7 +70,8 @@ export class PlayEdits {
   /** Called when the scene begins to play: notes its authored values and assets, and starts collecting edits. */
   begin(): void {
     this.dismiss();
-    const { scene } = this.document;
+    const { scene, scripts } = this.document;
+    scripts.forgetFailures();
     scene.keepAuthored();
     this.assetsBefore = new Set(scene.assets.list());
     this.document.commands.hold();
@@ -101,7 +102,7 @@ export class PlayEdits {
     this.dismiss();
   }
 
-  /** Keeps a value, as one step of history. @throws Error when its object, added while playing, is not in the scene */
+  /** Keeps a value, as one step of history. @throws Error when its object was removed by Stop */
   keep(change: PlayChange): void {
     const { owner, name, to } = change;
     this.check(change);
@@ -111,7 +112,7 @@ export class PlayEdits {
     this.changed.emit();
   }
 
-  /** Keeps all values that are left, as one step of history. @throws Error as `keep` does; then nothing is kept */
+  /** Keeps all remaining values, as one step of history. @throws Error as `keep` does; then nothing is kept */
   keepAll(): void {
     if (this.canKeepAll) {
       this.document.commands.run(new CommandList(t('Kept the edits made while playing'), this.all));
@@ -131,11 +132,11 @@ export class PlayEdits {
     this.changed.emit();
   }
 
-  /** Removes the assets that components and scripts registered while the scene played; the edits are undone already. */
+  /** Removes the assets that components and scripts registered while the scene played; edits must be undone already. */
   private takeAssets(): void {
     const { assets } = this.document.scene;
     for (const name of assets.list()) {
-      // parts go with their model; those of a model that finished loading meanwhile are new, and stay
+      // parts are removed with their model; parts of a model that finished loading meanwhile are new, and stay
       if (this.assetsBefore.has(name) || assets.modelOf(name) !== null) continue;
       for (const each of withParts(assets.take(name))) each.value?.dispose();
     }
@@ -168,7 +169,7 @@ function isOfScripts(command: Command): boolean {
     : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
 }
 
-/** A copy of an edit of values that is not done yet: scripts edited since may have changed the values to go back to. */
+/** A copy of a value edit with nothing to undo yet: scripts may since have changed the values that undo restores. */
 const asNew = (command: Command): Command =>
   command instanceof SetFields ? new SetFields(command.label, command.edits) : command;
 

@@ -8,9 +8,9 @@ export interface RecentFile {
   readonly scene: string;
   /** Time at which the file was last opened or saved (ms since 1970). */
   readonly time: number;
-  /** Handle to read the file again; null in browsers that give none. */
+  /** Handle to read the file again; null in browsers without handles. */
   readonly handle: FileSystemFileHandle | null;
-  /** Copy of the file, when there is no handle; null when it was too large to keep. */
+  /** Copy of the file, when there is no handle; null when it was too large. */
   readonly copy: Blob | null;
   /** Thumbnail of the scene in the file; null until it is made. */
   readonly picture: Blob | null;
@@ -22,7 +22,7 @@ export class RecentFiles {
 
   private files: readonly RecentFile[] = [];
 
-  /** Empty until the browser's store has been read; a new array after each change. */
+  /** Empty until the browser's storage has been read; a new array after each change. */
   get list(): readonly RecentFile[] {
     return this.files;
   }

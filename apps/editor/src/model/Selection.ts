@@ -2,7 +2,7 @@ import { Selection as ItemSelection } from '@farol/editing';
 
 /** Ids of the selected GameObjects, in the order they were selected. */
 export class Selection extends ItemSelection<string> {
-  /** Called at every selection, also when it selects the same objects again. */
+  /** Called at every selection, even when the same objects are selected again. */
   onSet: () => void = () => {};
 
   /** Ids of the selected objects; a new array after each change. */

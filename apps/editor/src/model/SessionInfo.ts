@@ -1,4 +1,4 @@
-/** Summary of an autosave, known without reading it. */
+/** Summary of an autosave, readable without loading its scene. */
 export interface SessionInfo {
   readonly id: string;
   readonly name: string;

@@ -3,7 +3,7 @@ import type { Scene } from '@farol/engine';
 
 export type SimulationState = 'stopped' | 'playing' | 'paused';
 
-/** Longest time step of a frame (s), so that the scene does not leap after a pause of the page. */
+/** Longest time step of a frame (s), so that the scene does not jump after the page was suspended. */
 const LONGEST_STEP = 0.1;
 
 /** Time step of `step` (s). */
@@ -16,10 +16,7 @@ export class Simulation {
 
   private current: SimulationState = 'stopped';
 
-  /**
-   * @param getScene - gives the scene of the document
-   * @param edits - told when the scene begins to play and stops; resets the scene to time 0
-   */
+  /** @param getScene - returns the document's scene @param edits - receives edits made while playing */
   constructor(
     private readonly getScene: () => Scene,
     private readonly edits: { begin(): void; end(reset: () => void): void; abort(): void },

@@ -1,16 +1,15 @@
 import { Signal } from '@farol/editing';
 
-/** A tool shown over the viewport until it is finished or left; one at a time. */
+/** A tool shown over the viewport until it is completed or closed; one at a time. */
 export interface Tool {
   /** Key of the tool's panel, see panels/viewport/tools. */
   readonly id: string;
-  /** Ends the tool and undoes what is unfinished. Called once, also when another tool takes its place. */
+  /** Ends the tool, and undoes an unfinished edit. Called once, also when another tool opens. */
   end(): void;
 }
 
 /** The tool that is open over the viewport. */
 export class Tools {
-  /** Emits when a tool opens or ends. */
   readonly changed = new Signal();
 
   private tool: Tool | null = null;

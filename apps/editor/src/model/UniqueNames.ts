@@ -30,13 +30,13 @@ export class UniqueNames {
       passed.push(name);
       number = this.next.get(name) ?? number + 1;
     }
-    // all numbers up to this one are taken: skip them next time
+    // all numbers up to this one are taken: skipped next time
     for (const name of passed) this.next.set(name, number + 1);
     return `${stem} ${number}`;
   }
 }
 
-/** Gives objects that are added to a scene unique names; those below them keep theirs. */
+/** Gives objects that are added to a scene unique names; their descendants' names are unchanged. */
 export function nameUniquely(scene: Named, objects: readonly GameObject[]): void {
   const names = new UniqueNames(scene);
   for (const object of objects) object.name = names.take(object.name);

@@ -53,10 +53,10 @@ function componentsFor(object: GameObject, kind: PhysicsKind): Component[] {
   return made;
 }
 
-/** Height of the eye above the feet of a walking camera (m). */
+/** Height of a walking character's camera above its feet (m). */
 const EYE_HEIGHT = 1.65;
 
-/** Commands that put a camera on a new character, which stands below it. @param selected - ids selected now */
+/** Commands that add a character below a camera as the camera's parent. @param selected - ids selected now */
 function carryCamera(scene: Scene, camera: GameObject, selected: readonly string[]): (() => Command)[] {
   const player = new GameObject(t('Player'));
   player.addComponent(CharacterController);
@@ -67,8 +67,8 @@ function carryCamera(scene: Scene, camera: GameObject, selected: readonly string
 }
 
 /**
- * Makes objects characters. A camera gets one that carries it: a character's origin is at its feet, so a controller on
- * the camera itself would drop the eye to the floor.
+ * Makes objects characters. A camera becomes the child of a new one: a character's origin is at its feet, so a
+ * controller on the camera itself would drop the eye to the floor.
  * @param selected - ids selected now
  */
 export function addCharacter(scene: Scene, objects: readonly GameObject[], selected: readonly string[]): Command {

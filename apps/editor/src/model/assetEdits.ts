@@ -1,4 +1,4 @@
-/** Commands for edits of assets. Each captures the scene as it is when the command is made. */
+/** Commands for edits of assets. Each captures the scene's state when the command is made. */
 import { type Command, type FieldEdit, SetFields, t, tCount } from '@farol/editing';
 import {
   type AssetLibrary,
@@ -19,7 +19,7 @@ import { setSources, sourcesAfterRename } from './scriptImports';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** A new asset made of fields, not in the library yet. */
+/** Creates an asset made of fields, not in the library yet. */
 export function newFieldAsset(assets: AssetLibrary, type: FieldAssetType, name: string, values: Values): TakenAsset {
   const free = freeAssetName(assets, name);
   assets.addFieldAsset(type, free, values);
@@ -135,7 +135,7 @@ function renameAll(scene: Scene, label: string, renames: ReadonlyMap<string, str
         () =>
           new RenameAsset(label, scene, from, to),
     ),
-    // read when its turn comes: the prefab may name an asset that was just renamed
+    // made only after the renaming: the prefab may refer to an asset that was just renamed
     ...ofPrefabs.map(
       ([id, name]) =>
         () =>
@@ -210,12 +210,12 @@ export function removeFolder(scene: Scene, path: string): Command {
   );
 }
 
-export function giveMaterial(renderers: readonly ObjectRenderer[], name: string, label: string): Command {
-  return new SetFields(
-    label,
-    renderers.flatMap((owner): FieldEdit[] => [
-      { owner, name: 'shader', value: null },
-      { owner, name: 'material', value: name },
-    ]),
-  );
-}
+/** Edits that give objects a material, in place of a surface of their own. */
+export const materialEdits = (renderers: readonly ObjectRenderer[], material: string): FieldEdit[] =>
+  renderers.flatMap((owner): FieldEdit[] => [
+    { owner, name: 'shader', value: null },
+    { owner, name: 'material', value: material },
+  ]);
+
+export const giveMaterial = (renderers: readonly ObjectRenderer[], name: string, label: string): Command =>
+  new SetFields(label, materialEdits(renderers, name));

@@ -15,7 +15,7 @@ export const endingOf = (name: string): string => /\.(?:ply\.gz|[a-z0-9]{2,5})$/
 export const freeAssetName = (assets: AssetLibrary, name: string): string =>
   freeNameAmong((wanted) => assets.has(wanted), name);
 
-/** Like `freeAssetName`, with a test of its own for names that are taken. */
+/** Like `freeAssetName`. @param isTaken - whether a name is in use */
 export function freeNameAmong(isTaken: (name: string) => boolean, name: string): string {
   for (const free of numberedNames(name)) if (!isTaken(free)) return free;
   return name;

@@ -11,7 +11,7 @@ import { componentTypeOf } from './scriptNames';
 export interface AssetUsage {
   /** Name of the owner that uses the asset: 'Robot', 'Scene', 'Lamp (prefab)'. */
   readonly place: string;
-  /** Component and field that name the asset: 'ModelRenderer.model'. */
+  /** Component and field that refer to the asset: 'ModelRenderer.model'. */
   readonly field: string;
   /** Id of the object when an object uses the asset. */
   readonly object?: string;
@@ -35,7 +35,7 @@ const assetFields = (fields: FieldTable): [string, AssetType][] =>
     ([name, field]) => (field.kind === 'asset' ? [[name, field.assetType] as const] : []) as [string, AssetType][],
   );
 
-/** A prefab with the names of assets removed, and the places that named them. */
+/** A prefab without references to assets of these names, and the places that had one. */
 function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { next: Prefab; usages: AssetUsage[] } {
   const usages: AssetUsage[] = [];
   const objects = prefab.objects.map((object) => ({
@@ -75,7 +75,7 @@ function usagesOfScript(scene: Scene, script: string, source: string): AssetUsag
   return usages;
 }
 
-/** Every place that names an asset or a part of it, or has a component of it. */
+/** Every place that refers to an asset or a part of it, or has a component of it. */
 export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
   const script = scene.assets.fieldAsset(asset);
   if (script?.type === 'script') return usagesOfScript(scene, asset, script.get('source') as string);
@@ -90,7 +90,7 @@ export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
   ];
 }
 
-/** Deletes an asset; fields that named it become empty. */
+/** Deletes an asset; fields that referred to it become empty. */
 export function deleteAsset(scene: Scene, asset: string): Command {
   const names = withParts(scene, asset);
   const edits = editsOf(scene, names);

@@ -10,21 +10,21 @@ const still: ReadonlySet<string> = new Set([
   ...['AudioSource', 'AudioListener', 'EventTrigger'],
 ]);
 
-/** Whether no component of an object, or of those above it, may move it. */
+/** Whether no component of an object or of its ancestors may move it. */
 function staysInPlace(object: GameObject): boolean {
   for (let each: GameObject | null = object; each; each = each.parent)
     if (each.components.some(({ typeName }) => !still.has(typeName))) return false;
   return true;
 }
 
-/** Rendered objects that nothing moves. */
+/** Rendered objects that no component moves. */
 export function objectsInPlace(scene: Scene): GameObject[] {
   const renderers = [...scene.componentsOf(ObjectRenderer), ...scene.componentsOf(ModelRenderer)];
   const objects = new Set(renderers.filter(({ isActive }) => isActive).map(({ gameObject }) => gameObject));
   return [...objects].filter((object) => !object.isStatic && staysInPlace(object));
 }
 
-/** Realtime lights that nothing moves. */
+/** Realtime lights that no component moves. */
 export const lightsInPlace = (scene: Scene): Light[] =>
   scene
     .componentsOf(Light)
@@ -60,7 +60,7 @@ function removing(scene: Scene): (() => Command)[] {
   return [() => showing(scene, null), () => new RemoveAsset(scene.assets, bakedLight)];
 }
 
-/** Lights the scene by new baked light, replacing the old. @param baked - not in the library yet */
+/** Uses new baked light, in place of the old. @param baked - not in the library yet */
 export const showBakedLight = (scene: Scene, baked: TakenAsset): Command =>
   new Sequence(t('Baked the light'), [
     ...removing(scene),

@@ -7,18 +7,18 @@ import { sourceWithImports } from './scriptImports';
 import { componentTypeOf, scriptOfType, sourceForName, sourceForType } from './scriptNames';
 
 /**
- * A copied file or address, read for a scene: the asset, ready to be added under its name; or the name of an equal
- * asset of the scene; null when it could not be read.
+ * A copied file or address, read for a scene: the asset, ready to be added under its name; the name of an equal asset
+ * of the scene; or null when it could not be read.
  */
 export type ReadAsset = TakenAsset | string | null;
 
-/** Assets that come to a scene with pasted objects. */
+/** Assets that are added to a scene with pasted objects. */
 export interface BroughtAssets {
   /** Assets to add, which the scene does not have yet. */
   readonly taken: readonly TakenAsset[];
   /**
-   * Name in the scene of each asset, by its name in the clipboard: an equal asset of the scene is shared, a different one of
-   * that name stays.
+   * Name in the scene of each asset, by its name in the clipboard: an equal asset of the scene is shared; a different
+   * one with that name is not replaced.
    */
   readonly names: ReadonlyMap<string, string>;
   /** Renamed component types of scripts, by their old names. */
@@ -59,7 +59,7 @@ class Bringing implements BroughtAssets {
   readonly types = new Map<string, string>();
   readonly missing = new Set<string>();
   private readonly scripts: ReadonlySet<string>;
-  /** Names in the scene already given to other copied assets; `takenTypes`: those of component types. */
+  /** Names in the scene already given to other copied assets; `takenTypes`: component types already given. */
   private readonly takenNames = new Set<string>();
   private readonly takenTypes = new Set<string>();
 
@@ -159,7 +159,7 @@ function assetNameIn(name: string, { names, missing }: Pick<BroughtAssets, 'name
   return name;
 }
 
-/** Values with assets renamed as in the scene, and without those that could not be read. */
+/** Values with assets renamed to their names in the scene, and without assets that could not be read. */
 function renamedValues(
   values: Readonly<Record<string, FieldValue>>,
   fields: readonly string[],
@@ -176,7 +176,7 @@ function renamedValues(
   return renamed;
 }
 
-/** Copied objects with assets and component types renamed as in the scene. */
+/** Copied objects with assets and component types renamed to their names in the scene. */
 export function renamedObjects(
   scene: Scene,
   objects: readonly FileObject[],

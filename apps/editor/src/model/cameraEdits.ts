@@ -11,13 +11,13 @@ export interface WorldPose {
   readonly quaternion: Quaternion;
 }
 
-/** Pose and lens of a view that a camera of the scene is to show. */
+/** Pose and lens of a view, for a camera of the scene. */
 export interface CameraView extends WorldPose {
   /** Vertical field of view (rad). */
   readonly fov: number;
   /** Height of an orthographic view (m); null for perspective. */
   readonly size: number | null;
-  /** Smallest distance of the camera's far plane (m). */
+  /** Distance that the camera's far plane has at least (m). */
   readonly far: number;
 }
 
@@ -52,7 +52,7 @@ export function poseEdits({ transform, object3D }: GameObject, { position, quate
   ];
 }
 
-/** Lens values for a view: the projection's kind is taken over; a perspective camera keeps its own field of view. */
+/** Lens values for a view: perspective or orthographic as in the view; a perspective camera keeps its field of view. */
 function lensOf(view: CameraView, camera: Camera | null): Record<string, FieldValue> {
   const far = Math.max((camera?.getAuthored('far') as number | undefined) ?? 200, Math.ceil(view.far));
   if (view.size !== null) return { projection: 'orthographic', size: view.size, far };
@@ -61,7 +61,7 @@ function lensOf(view: CameraView, camera: Camera | null): Record<string, FieldVa
 }
 
 /**
- * Moves a camera to show a view, with its kind of projection.
+ * Moves a camera to a view, and takes over perspective or orthographic.
  * @throws Error saying why it cannot be moved
  */
 export function alignCamera(camera: Camera, view: CameraView): Command {

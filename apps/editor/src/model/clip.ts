@@ -26,13 +26,13 @@ import { nameUniquely } from './UniqueNames';
 
 /** Copied GameObjects as JSON: content of the clipboard. */
 export interface Clip {
-  /** First member of the JSON text, by which `Clipboard.hasObjects` recognizes copied objects. */
+  /** Format, as the first member of the JSON text, where `Clipboard.hasObjects` looks for it. */
   readonly format: 'farol-objects';
   /** Objects in tree order; the copied roots have no parent. */
   readonly objects: readonly FileObject[];
-  /** Assets, each after those that it uses; files are named as in the clipboard. */
+  /** Assets, each after those that it uses; files have their names in the clipboard. */
   readonly assets: readonly FileAsset[];
-  /** Fields that name assets and objects, for each component type defined by a script. */
+  /** Fields that refer to assets and objects, for each component type defined by a script. */
   readonly naming: Readonly<Record<string, NamingFields>>;
   /** Prefabs of the objects, and prefabs within these; none when absent. */
   readonly prefabs?: readonly Prefab[];
@@ -45,7 +45,7 @@ const position = new Vector3();
 const rotation = new Quaternion();
 const scale = new Vector3();
 
-/** Copied objects as text, and the files that the text names. */
+/** Copied objects as text, and the files that the text refers to. */
 export interface CopiedObjects {
   readonly text: string;
   readonly files: ReadonlyMap<string, Blob>;
@@ -60,7 +60,7 @@ function prefabsOf({ prefabs }: Scene, objects: readonly FileObject[]): Prefab[]
   return prefabs.list.filter(({ id }) => ids.has(id));
 }
 
-/** Copies objects and everything below them with authored values, their prefabs, and the assets these use. */
+/** Copies objects and their descendants with authored values, their prefabs, and the assets that all of these use. */
 export function copyObjects(scene: Scene, objects: readonly GameObject[]): CopiedObjects {
   const tops = topmost(objects, scene);
   const list: FileObject[] = [];
@@ -106,7 +106,7 @@ function takeOuterReferences(
   return taken;
 }
 
-/** Prefabs of copied objects that a scene lacks; instances of prefabs that cannot be used become plain objects. */
+/** Prefabs of copied objects that the scene lacks; instances of prefabs that cannot be used become plain objects. */
 function newPrefabs({ prefabs }: Scene, { prefabs: copied, objects }: ReturnType<typeof readClip>): Prefab[] {
   const known = new Set(prefabs.list.map(({ id }) => id));
   const list = Array.isArray(copied) ? (copied as Prefab[]).filter((each) => !known.has(each?.id)) : [];
@@ -133,7 +133,7 @@ type RawClip = { -readonly [K in keyof Clip]?: Clip[K] };
 const isTexts = (value: unknown): value is string[] =>
   Array.isArray(value) && value.every((each) => typeof each === 'string');
 
-/** Fields that name assets and objects, for each type with well-formed data; only own property names count. */
+/** Fields that refer to assets and objects, for each type with well-formed data; only own property names count. */
 function readNaming(given: unknown): Record<string, NamingFields> {
   const naming = Object.create(null) as Record<string, NamingFields>;
   for (const [type, each] of Object.entries(given ?? {})) {
@@ -162,7 +162,7 @@ function readClip(text: string): RawClip & { objects: FileObject[] } {
 export const assetsOfClip = (text: string): readonly FileAsset[] =>
   checked({ ...readClip(text), objects: [] }, { registry: new ComponentRegistry() }).assets;
 
-/** Whether a scene can have an asset at once: it has the same one, or one of fields comes, which is no script. */
+/** Whether a scene can use an asset at once: it is there already, or made of fields and no script. */
 export function isAssetThere(scene: Scene, asset: FileAsset): boolean {
   const { name, type, values } = asset;
   if (values === undefined) return nameInScene(scene, asset) !== null;
@@ -180,11 +180,11 @@ const checked = (
   );
 
 export interface PasteOptions {
-  /** Label of the step, from the names of the copies; it tells that they were pasted when absent. */
+  /** Label of the step, given the names of the copies; "Pasted …" when absent. */
   readonly label?: (names: string) => string;
-  /** Moves the copies, which are not in the scene yet. */
+  /** Moves the copies before they are added to the scene. */
   readonly place?: (copies: readonly GameObject[]) => void;
-  /** Files and addresses read for the scene, by their names in the clipboard; those that the scene has may be left out. */
+  /** Files and addresses read for the scene, by their names in the clipboard; optional for those that the scene has. */
   readonly read?: ReadonlyMap<string, ReadAsset>;
 }
 

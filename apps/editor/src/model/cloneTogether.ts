@@ -1,7 +1,7 @@
 import type { GameObject } from '@farol/engine';
 import { UnknownComponent } from '@farol/engine/files';
 
-/** Clones of objects, none below another; references among the originals become references among the clones. */
+/** Clones objects, none of them a descendant of another; references among originals become references among clones. */
 export function cloneTogether(objects: readonly GameObject[]): GameObject[] {
   const copies = objects.map((object) => object.clone());
   if (copies.length < 2) return copies;

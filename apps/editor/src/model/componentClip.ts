@@ -11,7 +11,7 @@ export interface ComponentClip {
 export const copyComponent = (component: Component): string =>
   JSON.stringify({ format: 'farol-component', type: component.typeName, values: component.authoredValues() });
 
-/** The component in a clipboard's text; null when the text is something else. */
+/** Reads a copied component from a clipboard's text; null when the text is something else. */
 export function readComponentClip(text: string | null): ComponentClip | null {
   if (!text?.startsWith('{"format":"farol-component"')) return null;
   try {

@@ -11,21 +11,21 @@ import {
 import { importsOf } from './scriptImports';
 import { scriptOfType } from './scriptNames';
 
-/** Fields of a component type that name assets and objects, for a scene that does not know the type yet. */
+/** Fields of a component type that refer to assets and objects, for a scene without that type. */
 export interface NamingFields {
   readonly assets: readonly string[];
   readonly objects: readonly string[];
 }
 
 export interface CopiedAssets {
-  /** Each asset after those that it uses. File assets name entries of `files`. */
+  /** Assets, each after those that it uses. File assets refer to entries of `files`. */
   readonly assets: readonly FileAsset[];
   readonly files: ReadonlyMap<string, Blob>;
-  /** Fields that name assets and objects, for each component type defined by a script. */
+  /** Fields that refer to assets and objects, for each component type defined by a script. */
   readonly naming: Readonly<Record<string, NamingFields>>;
 }
 
-/** Clipboard name of each file; a file keeps its name however often it is copied. */
+/** Name of each file in the clipboard; repeated copies of a file share a name. */
 const fileNames = new WeakMap<Blob, string>();
 
 export function fileNameOf(blob: Blob): string {
@@ -34,7 +34,7 @@ export function fileNameOf(blob: Blob): string {
   return name;
 }
 
-/** The assets that objects use, directly or through other assets; built-in ones are left out. */
+/** The assets that objects use, directly or through other assets, except built-in ones. */
 export function copiedAssets(scene: Scene, objects: readonly GameObject[], data: readonly FileObject[]): CopiedAssets {
   const list = new CopyList(scene);
   for (const { components } of data) {

@@ -23,10 +23,10 @@ export interface CopiedClip {
   readonly lost: readonly string[];
 }
 
-/** Tolerance of the copy between two keys: rad for rotations, else relative to the largest value. */
+/** Maximum error of the copy between two keys: rad for rotations, else relative to the largest value. */
 const ACCURACY = 1e-4;
 
-/** Number of samples compared between two keys, to tell whether keys can be left out. */
+/** Number of samples compared between two keys, to decide whether more keys are needed. */
 const SAMPLES = 64;
 
 const fields = { position: 'position', quaternion: 'rotation', scale: 'scale' } as const;
@@ -106,7 +106,7 @@ function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
       add(time, valueAt(time, (last?.value as Vector3Tuple | undefined) ?? [0, 0, 0]));
       return;
     }
-    // samples in order of time, so that angles continue from those of the sample before
+    // samples in order of time, so that each one's angles are closest to those of the sample before
     const samples: ClipKey[] = [last];
     for (let n = 1; n <= SAMPLES; n++) {
       const at = n === SAMPLES ? time : times[i - 1] + ((time - times[i - 1]) * n) / SAMPLES;

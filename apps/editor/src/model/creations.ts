@@ -13,7 +13,7 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 export interface Creation {
   readonly label: string;
   readonly group: 'mesh' | NonNullable<NewObject['group']>;
-  /** Scene that a mesh belongs to, or the kind of object, as a heading; null for others. */
+  /** Heading: the scene that a mesh belongs to, or the kind of object; null for others. */
   readonly folder: string | null;
   /** Name of an icon; unknown names get a plain one. */
   readonly icon: string;

@@ -1,4 +1,4 @@
-/** Commands for edits by the user. Each captures the scene as it is when made, and must be run before another edit. */
+/** Commands for edits by the user. Each captures the scene's state when made, and must be run before another edit. */
 import { type Command, countLabel, namesOf, SetFields, t } from '@farol/editing';
 import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
 import type { FieldOwner, FieldValue } from '@farol/engine/fields';
@@ -34,7 +34,7 @@ export function addObject(scene: Scene, object: GameObject, parent: Container, s
   });
 }
 
-/** Deletes objects and everything below them. */
+/** Deletes objects and their descendants. */
 export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const placements = tops.map((object) => placementOf(object, scene));
@@ -44,7 +44,7 @@ export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Com
   });
 }
 
-/** Copies each object and everything below it; the copy follows the original, has a unique name and is selected. */
+/** Copies each object and its descendants; the copy follows the original, has a unique name and is selected. */
 export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const shift = new Map<Container, number>();
@@ -94,12 +94,12 @@ export function renameObject(object: GameObject, name: string): Command {
   return object.scene ? followTracks(object.scene, command) : command;
 }
 
-/** Shows or hides objects and everything below them. */
+/** Shows or hides objects and their descendants. */
 export function setActive(objects: readonly GameObject[], active: boolean): Command {
   return new SetProperty(countLabel(active ? t('Showed') : t('Hid'), objects), objects, 'active', active);
 }
 
-/** Locks objects and everything below them, so that clicks in the viewport do not pick them; or unlocks them. */
+/** Locks objects and their descendants, so that clicks in the viewport do not pick them; or unlocks them. */
 export function setLocked(objects: readonly GameObject[], locked: boolean): Command {
   return new SetProperty(countLabel(locked ? t('Locked') : t('Unlocked'), objects), objects, 'locked', locked);
 }

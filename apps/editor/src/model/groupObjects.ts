@@ -21,7 +21,7 @@ function middleOf(objects: readonly GameObject[], { parent }: Placement): Vector
 }
 
 /**
- * Puts objects below a new one at their centroid, at the first object's place in the tree. World poses stay.
+ * Makes objects children of a new one at their centroid, at the first object's place in the tree. World poses stay.
  * @param objects - at least one
  */
 export function groupObjects(scene: Scene, objects: readonly GameObject[]): Command {

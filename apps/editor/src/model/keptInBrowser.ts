@@ -14,5 +14,5 @@ const storage: StateStorage = {
   removeItem: (name) => void attempt(() => localStorage.removeItem(name)),
 };
 
-/** Stores settings in localStorage; without storage, or when it is full, they last until the page is left. */
+/** Stores settings in localStorage; without storage, or when it is full, they last until the page is closed. */
 export const keptInBrowser = <S>(): PersistStorage<S> | undefined => createJSONStorage<S>(() => storage);

@@ -8,7 +8,7 @@ export function makeEmptyScene(assets: AssetLibrary): Scene {
   const scene = new Scene({ name: t('Untitled'), assets });
   scene.settings.toneMapping = 'neutral';
   scene.settings.shadowCascades = 3;
-  // looks like [0.02, 0.025, 0.036], since tone mapping darkens dark colours
+  // brighter than the wanted [0.02, 0.025, 0.036], since tone mapping darkens dark colours
   scene.settings.backgroundColour = [0.057, 0.062, 0.072];
   const camera = new GameObject(t('Camera'));
   camera.addComponent(Camera);

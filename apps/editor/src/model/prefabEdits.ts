@@ -1,4 +1,4 @@
-/** Commands for edits of prefabs. Each captures the scene as it is when the command is made. */
+/** Commands for edits of prefabs. Each captures the scene's state when the command is made. */
 import { type Command, labelOfField, SetFields, t } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import {
@@ -84,8 +84,8 @@ const fieldWords = (component: Component, field: string): { field: string; name:
 });
 
 /**
- * Makes a prefab from an object and everything below it; the object becomes the first instance. @throws PrefabError for
- * a part of an instance
+ * Makes a prefab from an object and its descendants; the object becomes the first instance. @throws PrefabError for a
+ * part of an instance
  */
 export function createPrefab(scene: Scene, object: GameObject, selected: readonly string[]): Command {
   const { prefab: made, links } = makePrefab(object);

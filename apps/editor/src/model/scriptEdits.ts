@@ -35,9 +35,9 @@ export interface ScriptText {
 
 /**
  * Adds a script.
- * @param wanted - name with folder; a number is added when it is taken
+ * @param wanted - proposed name, with folder; a number is added when it is taken
  * @param users - objects that get a component of the script, in the same step
- * @param template - text that it begins with, its class renamed; `scriptTemplate` when absent
+ * @param template - text of the new script, its class renamed; `scriptTemplate` when absent
  */
 export function addScript(
   scene: Scene,
@@ -153,7 +153,7 @@ function retype(scene: Scene, label: string, from: string, to: string): (() => C
   ];
 }
 
-/** A prefab with a component type renamed; null where nothing in it has that type. */
+/** A prefab with a component type renamed; null when it has no component of that type. */
 function renamedType(prefab: Prefab, from: string, to: string): Prefab | null {
   let isSame = true;
   const objects = prefab.objects.map((object) => ({

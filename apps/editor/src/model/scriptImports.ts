@@ -6,7 +6,7 @@ import { splitName } from './assetNames';
 /** Matches the relative specifier of an import, an export or a call of `require` or `import`. */
 const IMPORT = /(\b(?:from|import|require)\s*\(?\s*)(['"])(\.{1,2}\/[^'"\n]+)\2/g;
 
-/** Specifier by which a script in a folder imports another. @param folder - '' for the top */
+/** Specifier with which a script in a folder imports another. @param folder - '' for the top */
 function specifierOf(folder: string, target: string): string {
   const from = folder === '' ? [] : folder.split('/');
   const to = target.split('/');
@@ -65,7 +65,7 @@ export function sourcesAfterRename(
   return after;
 }
 
-/** Commands that set the texts of `sourcesAfterRename`; to be made before anything is renamed. */
+/** Commands that set the texts of `sourcesAfterRename`; made before the renaming. */
 export function setSources(scene: Scene, label: string, sources: ReadonlyMap<string, string>): (() => Command)[] {
   return [...sources].flatMap(([name, value]) => {
     const owner = scene.assets.fieldAsset(name);

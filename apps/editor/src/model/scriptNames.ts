@@ -24,7 +24,7 @@ function declaredType(source: string): string | null {
   return DECLARED.exec(source)?.[2] ?? null;
 }
 
-/** Component type that a script defines; null when it exports no component class, but helpers for other scripts. */
+/** Component type that a script defines; null when it exports no component class, only helpers for other scripts. */
 export function componentTypeOf(script: string, source: string): string | null {
   if (!/\bexport\s+(default\b|\{[^}]*\bas\s+default\b)/.test(source)) return null;
   return declaredType(source) ?? typeNameOf(script);
@@ -44,7 +44,7 @@ export const sourceForType = (source: string, number: number): string =>
     return `${all.slice(0, end)}${type} ${number}${quote}`;
   });
 
-/** Script that defines a component type; null for types from elsewhere. */
+/** Script that defines a component type; null for other types. */
 export function scriptOfType(scene: Scene, typeName: string): string | null {
   const found = scene.assets
     .fieldAssets('script')

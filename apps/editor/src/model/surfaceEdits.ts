@@ -8,7 +8,7 @@ import {
   type TakenAsset,
 } from '@farol/engine';
 import { type FieldValue, surfaceValueFields } from '@farol/engine/fields';
-import { newFieldAsset } from './assetEdits';
+import { materialEdits, newFieldAsset } from './assetEdits';
 import { AddAssets } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 
@@ -67,19 +67,13 @@ export function addSurface(
   const command = new Sequence(label, [
     ...steps,
     () => new AddAssets(assets, taken),
-    () => new SetFields(label, [...editsOf(renderers, material.name), ...(needsGrid ? gridsOf(renderers) : [])]),
+    () => new SetFields(label, [...materialEdits(renderers, material.name), ...(needsGrid ? gridsOf(renderers) : [])]),
   ]);
   return { command, surface: made.name, material: material.name };
 }
 
 const gridsOf = (users: readonly ObjectRenderer[]): FieldEdit[] =>
   users.filter(({ mesh }) => mesh === 'plane').map((owner) => ({ owner, name: 'mesh', value: 'grid' }));
-
-const editsOf = (users: readonly ObjectRenderer[], material: string): FieldEdit[] =>
-  users.flatMap((owner): FieldEdit[] => [
-    { owner, name: 'shader', value: null },
-    { owner, name: 'material', value: material },
-  ]);
 
 /**
  * Makes objects use a surface directly, in place of their material's; each object then has uniform values of its own.

@@ -6,13 +6,13 @@ import { addComponent } from './edits';
 /** A reason why a trigger can never fire, or calls nothing. */
 export interface TriggerProblem {
   readonly text: string;
-  /** A change that mends it; null when the user has to choose. */
+  /** A change that solves the problem; null when the user has to decide. */
   readonly mend: { readonly label: string; make(): Command } | null;
 }
 
 type Mend = TriggerProblem['mend'];
 
-/** Colliders by which contacts are told to an object: its own, and those of its body, which may lie below it. */
+/** Colliders whose contacts an object is notified of: its own, and those of its rigid body, maybe descendants. */
 function collidersOf(object: GameObject): Collider[] {
   const isBody = object.getComponent(RigidBody) !== null;
   const found = [...object.getComponents(Collider)];
@@ -42,7 +42,7 @@ function hasTag(scene: Scene, tag: string): boolean {
   return found;
 }
 
-/** Missing or unfit colliders of a trigger that waits for contacts. */
+/** Missing colliders, or ones of the wrong kind, of a trigger that waits for contacts. */
 function ofColliders(scene: Scene, { event, gameObject }: EventTrigger): TriggerProblem[] {
   const isSensing = event.startsWith('trigger');
   if (gameObject.getComponent('CharacterController') && !isSensing) return [];
@@ -50,18 +50,18 @@ function ofColliders(scene: Scene, { event, gameObject }: EventTrigger): Trigger
   if (colliders.length === 0) {
     const make = (): Command => addComponent(scene, [gameObject], Collider, { sensor: isSensing });
     const label = isSensing ? t('Add a sensor') : t('Add a collider');
-    return [{ text: t('It has no collider: nothing can come into it or touch it.'), mend: { label, make } }];
+    return [{ text: t('The object has no collider: nothing can enter or touch it.'), mend: { label, make } }];
   }
   if (colliders.some(({ sensor }) => sensor === isSensing)) return [];
   const edits = colliders.map((owner) => ({ owner, name: 'sensor', value: isSensing }));
   const label = isSensing ? t('Make it a sensor') : t('Make it solid');
   const text = isSensing
-    ? t('Its collider is no sensor: things stop at it, and do not come in.')
-    : t('Its collider is a sensor: things go through it, and do not collide.');
+    ? t('The collider is no sensor: objects stop at it, and do not enter.')
+    : t('The collider is a sensor: objects pass it, and do not collide.');
   return [{ text, mend: { label, make: () => new SetFields(label, edits) } }];
 }
 
-/** A tag that no object has, or nothing that moves. */
+/** Problems of the objects that may set off a trigger: none has its tag, or none moves. */
 function ofOthers(scene: Scene, trigger: EventTrigger): TriggerProblem[] {
   const { otherTag: tag, gameObject } = trigger;
   const others = movers(scene).filter((each) => each !== gameObject);
@@ -82,17 +82,17 @@ function ofOthers(scene: Scene, trigger: EventTrigger): TriggerProblem[] {
   return [{ text: t('No object has the tag “{tag}”.', { tag }), mend }];
 }
 
-/** A target that is gone, or a method that it does not have. */
+/** Problems of a trigger's target: it no longer exists, or lacks the method. */
 function ofTarget(scene: Scene, trigger: EventTrigger): TriggerProblem[] {
   const target = trigger.target === null ? trigger.gameObject : scene.findById(trigger.target);
   if (!target) {
     const label = t('Call this object');
     const make = (): Command => new SetFields(label, [{ owner: trigger, name: 'target', value: null }]);
-    return [{ text: t('The object that it calls is gone.'), mend: { label, make } }];
+    return [{ text: t('The object that the trigger calls no longer exists.'), mend: { label, make } }];
   }
   const { methods, method } = trigger;
   if (method !== '' && methods.includes(method)) return [];
-  // methods of scripts and such are meant more often than to switch things off
+  // methods of other components first: switching things off is rarely the intention
   const meant = methods.filter(
     (each) => !/^(GameObject|EventTrigger|Collider)\.|\.(enable|disable|toggle)$/.test(each),
   );
@@ -100,10 +100,10 @@ function ofTarget(scene: Scene, trigger: EventTrigger): TriggerProblem[] {
   const label = t('Call {method}', { method: best });
   const make = (): Command => new SetFields(label, [{ owner: trigger, name: 'method', value: best }]);
   const { name } = target;
-  // scripts that are off, or still being compiled, tell no methods
+  // methods of scripts are unknown while these are off or being compiled
   const isKnown = method === '' || !target.components.some(({ typeName }) => typeName === method.split('.')[0]);
   if (!isKnown) return [];
-  const text = method === '' ? t('It calls nothing yet.') : t('{name} has no {method}.', { name, method });
+  const text = method === '' ? t('The trigger calls no method yet.') : t('{name} has no {method}.', { name, method });
   return [{ text, mend: { label, make } }];
 }
 

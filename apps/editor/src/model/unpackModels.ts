@@ -44,7 +44,7 @@ export function whyNotUnpack(assets: AssetLibrary, name: string, parts = ''): st
   return t('{name} stays one object: it has {what}, which only a whole model keeps.', { name, what });
 }
 
-/** A sentence naming the parts of unpacked models that a ModelRenderer still draws; null for none. */
+/** A sentence with the names of parts of unpacked models that a ModelRenderer still draws; null for none. */
 export function whatStaysLinked(assets: AssetLibrary, names: readonly string[]): string | null {
   const kept = [...new Set(names)].flatMap((name) => keptTogether(assets.model(name)));
   if (kept.length === 0) return null;
@@ -67,7 +67,7 @@ function materialFolder(name: string): string {
 }
 
 /**
- * Replaces each whole model by a tree of objects below its own: meshes, lights, cameras, materials as assets, and an
+ * Replaces each whole model by a tree of objects below its object: meshes, lights, cameras, materials as assets, and an
  * Animation when it has clips. Parts joined by a skeleton or morph targets become one object with a ModelRenderer. The
  * objects of the ModelRenderers keep their poses and other components.
  * @param renderers - with models that are loaded

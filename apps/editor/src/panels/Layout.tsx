@@ -7,7 +7,7 @@ import { StatusBar } from './status/StatusBar';
 import './dialogs/dialogs.css';
 import './toolbar/toolbar.css';
 
-// the viewport does not wait for the library of menus and dialogs
+// fetched late: the viewport needs no library of menus and dialogs
 const Toolbar = lazy(async () => ({ default: (await import('./toolbar/Toolbar')).Toolbar }));
 const DialogHost = lazy(async () => ({ default: (await import('./dialogs/DialogHost')).DialogHost }));
 const PlayTint = lazy(async () => ({ default: (await import('./play/PlayTint')).PlayTint }));
@@ -43,7 +43,7 @@ export function Layout(): ReactNode {
   );
 }
 
-/** Fetches the list of edits made while playing, once there are any. */
+/** List of edits made while playing, whose code is fetched once there are any. */
 function PlayEditsPlace(): ReactNode {
   const { playEdits } = useEditor().document;
   const revision = useSignal(playEdits.changed);

@@ -1,6 +1,6 @@
 import type { Panel } from '../layout/PanelRegistry';
 
-/** All built-in panels, each fetched when first in front. A new panel is a folder and a line here. */
+/** All built-in panels, each fetched when first shown. A new panel takes a folder and a line here. */
 export const panels: readonly Panel[] = [
   {
     id: 'hierarchy',

@@ -1,2 +1,2 @@
-/** Whether this player contains the renderer's particles; set to false in the build for scenes without any. */
+/** Whether this player contains the renderer's particles; false in the build for scenes without particles. */
 export const hasParticles: boolean = true;

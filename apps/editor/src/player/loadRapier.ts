@@ -3,7 +3,7 @@ import { t } from '@farol/editing';
 /** The player's script element; must be read while the script first runs. */
 const ownScript = document.currentScript as HTMLScriptElement | null;
 
-/** Replaces the engine's function in the player. Rapier is compressed in the page, or in a script beside the player. */
+/** Replaces the engine's `loadRapier`. Rapier is compressed in the page, or in a script beside the player. */
 export function loadRapier(): Promise<object> {
   loading ??= load();
   return loading;

@@ -1,4 +1,4 @@
 import { loadRapier } from '@farol/engine/physics';
 
-/** The global that the player calls to get Rapier. */
+/** Global function that the player calls to load Rapier. */
 (globalThis as { farolLoadRapier?: typeof loadRapier }).farolLoadRapier = loadRapier;

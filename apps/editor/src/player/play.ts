@@ -30,7 +30,7 @@ import { playWithParticles } from './withParticles';
 
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
-/** Components of plugins, and of scripts that do not run, are kept as data; the rest of the scene plays. */
+/** Components of plugins, and of scripts that do not run, are kept as data, and do nothing. */
 const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
 
 /** Runs the scripts of a scene; fulfilled when its components are instances of their classes. */
@@ -42,7 +42,7 @@ interface Opened {
   readonly runScripts: RunScripts | null;
 }
 
-/** Stands for a frame or another player that shows the scene. */
+/** Placeholder for a scene that a sandboxed frame or another player shows. */
 interface Elsewhere {
   readonly ready: Promise<void>;
 }
@@ -103,7 +103,7 @@ function sayWhenMuted(): void {
   document.body.append(line);
 }
 
-/** Adds the buttons of sessions in a headset, where there is one. @param other - parts of the stage that are not the App's */
+/** Adds buttons for headsets, if there is one. @param other - members of the stage in place of the App's */
 async function addXR(app: App, other: Partial<XRStage> = {}): Promise<void> {
   const { addXRButtons, stageOf } = await import('@farol/engine/xr');
   const place = document.createElement('div');
@@ -131,7 +131,7 @@ function orbit(app: App): (width: number, height: number) => void {
     active.updateWorldMatrix(true, false);
     active.matrixWorld.decompose(camera.position, camera.quaternion, new Vector3());
     if (active instanceof PerspectiveCamera) camera.fov = active.fov;
-    // orbits the point straight ahead, as far away as the centre of the scene
+    // orbits the point straight ahead, at the distance of the scene's centre
     const ahead = new Vector3(0, 0, -1).applyQuaternion(camera.quaternion);
     const distance = Math.max(1, middle.clone().sub(camera.position).dot(ahead));
     controls.target.copy(camera.position).addScaledVector(ahead, distance);
@@ -161,7 +161,7 @@ function orbit(app: App): (width: number, height: number) => void {
   };
 }
 
-/** Whether the user moves within the scene, rather than round it. */
+/** Whether the user moves within the scene, rather than around it. */
 export function isWalked(scene: Scene): boolean {
   if (!scene.activeCamera) return false;
   let found = scene.componentsOf('CharacterController').length > 0;
@@ -171,14 +171,14 @@ export function isWalked(scene: Scene): boolean {
   return found;
 }
 
-/** Speaks the user's language. */
+/** Switches to the user's language. */
 export function useLanguage(): void {
   if (firstLanguage(null, navigator.languages) !== 'es') return;
   setTexts(player, 'es');
   document.documentElement.lang = 'es';
 }
 
-/** Plays the app's scene over the whole page. @param walks - whether the user moves within it, rather than round it */
+/** Plays the app's scene over the whole page. @param walks - whether the user moves within it, rather than around it */
 export function showScene(app: App, { name }: Scene, walks: boolean): void {
   sayWhenMuted();
   document.title = name;
@@ -228,7 +228,7 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
  * Loads and plays the scene of the page, showing errors.
  * @param runScripts - null in the player without scripts
  * @returns fulfilled when the scene is loaded and completely drawn, see `App.ready`. The embedding page, if any, then
- *   gets the message `{ farol: 'ready' }`
+ *   receives the message `{ farol: 'ready' }`
  */
 export function play(runScripts: RunScripts | null): Promise<void> {
   const started = start(runScripts);

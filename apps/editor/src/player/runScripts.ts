@@ -22,13 +22,13 @@ function loadCompiler(): Promise<Compile> {
   return new Promise((resolve, reject) => {
     element.addEventListener('load', () => resolve((globalThis as unknown as { farolCompile: Compile }).farolCompile));
     element.addEventListener('error', () =>
-      reject(new Error(`The compiler of scripts could not be read: ${element.src}`)),
+      reject(new Error(`The script compiler ${element.src} could not be read: reload the page.`)),
     );
     document.head.append(element);
   });
 }
 
-/** Runs the scripts of a scene: an exported page has them compiled, those of a linked scene are compiled here. */
+/** Runs the scripts of a scene: compiled in an exported page, else compiled here. */
 export const runScripts: RunScripts = async (scene, registry) => {
   // compiled scripts of an exported page have run before this one
   const isCompiled = document.getElementById('farol-scene') !== null;

@@ -18,6 +18,8 @@ export function playWithParticles(): Promise<void> {
   document.body.append(script);
   return new Promise((resolve, reject) => {
     script.addEventListener('load', () => resolve((globalThis as unknown as PlayerGlobal).FarolPlayer.ready));
-    script.addEventListener('error', () => reject(new Error(`The player could not be read: ${script.src}`)));
+    script.addEventListener('error', () =>
+      reject(new Error(`The player ${script.src} could not be read: reload the page.`)),
+    );
   });
 }

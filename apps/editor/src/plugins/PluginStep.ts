@@ -6,8 +6,8 @@ export class PluginStep implements Command {
 
   /**
    * @param step - the edit of components
-   * @param plugin - `do` is called before the edit is done, so that redo adds or removes the plugin again; `undo`
-   *   before it is undone
+   * @param plugin - `do` is called before `step.do`, so that redo adds or removes the plugin again; `undo` before
+   *   `step.undo`
    */
   constructor(
     private readonly step: Command,

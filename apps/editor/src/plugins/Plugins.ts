@@ -15,7 +15,7 @@ function countsOf(components: readonly Component[]): string {
   return [...counts].map(([type, count]) => `${count} ${type}`).join(', ');
 }
 
-/** A component as the data that its file would hold. */
+/** A component as data, as a file would store it. */
 function asUnknown(component: Component): UnknownComponent {
   const { components } = serializeObject(component.gameObject);
   return makeUnknownComponent(components.find(({ id }) => id === component.id)!);
@@ -30,7 +30,6 @@ export class Plugins {
 
   constructor(private readonly editor: EditorApi) {}
 
-  /** Plugins in the order they were added. */
   get list(): readonly EditorPlugin[] {
     return [...this.installed.keys()];
   }
@@ -117,7 +116,7 @@ export class Plugins {
     return found;
   }
 
-  /** Swaps of components kept as data for ones of the plugin's classes; data that cannot be read stay. */
+  /** Swaps of components kept as data for components of the plugin's classes; data that cannot be read are kept. */
   private restored(plugin: EditorPlugin): ComponentSwap[] {
     const { components, notices } = this.editor;
     const types = new Set(plugin.components?.map(({ typeName }) => typeName));
@@ -133,7 +132,7 @@ export class Plugins {
         const { name } = before.gameObject;
         notices.show(
           'error',
-          t('The {type} of {name} stays as data: {message}', { type, name, message: (error as Error).message }),
+          t('The {type} of {name} is kept as data: {message}', { type, name, message: (error as Error).message }),
           'plugin',
         );
         return [];

@@ -1,6 +1,6 @@
 import type { EditorPlugin } from '../api/EditorPlugin';
 
-/** Plugins that come with the editor, fetched when the user adds them. A new one is a folder and a line here. */
+/** Plugins that come with the editor, fetched when the user adds them. A new plugin takes a folder and a line here. */
 export const knownPlugins: Readonly<Record<string, { label: string; load(): Promise<EditorPlugin> }>> = {
   lantern: {
     label: 'Lantern: an example of a plugin',

@@ -285,7 +285,7 @@ describe('a plugin', () => {
     expect(beaconOf(editor)).toBeInstanceOf(Beacon);
     expect(beaconOf(editor).authoredValues()).toEqual({ rate: 7, word: 'old', depth: 0.5 });
     expect(editor.document.scene.find('Ruin')!.getComponent('Beacon')).toBeInstanceOf(UnknownComponent);
-    expect(editor.notices.current.at(-1)?.text).toMatch(/The Beacon of Ruin stays as data: .*up to version 2/s);
+    expect(editor.notices.current.at(-1)?.text).toMatch(/The Beacon of Ruin is kept as data: .*up to version 2/s);
     editor.document.commands.undo();
     expect(serialize(editor.document.scene)).toEqual(saved);
   });

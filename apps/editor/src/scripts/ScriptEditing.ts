@@ -7,7 +7,7 @@ import { isJavaScript } from '../model/scriptNames';
 /** Delay between the last key press and setting the text (ms). */
 const DELAY = 180;
 
-/** Text of a script that is being typed. */
+/** A script that is being typed. */
 interface Draft {
   readonly asset: FieldAsset;
   text: string;
@@ -57,7 +57,7 @@ export class ScriptEditing {
     return new Map(this.names.map((name) => [name, this.textOf(name)]));
   }
 
-  /** Whether the text of a script has syntax errors, when it was last set or left. */
+  /** Whether the text of a script had syntax errors when it was last set. */
   isBroken(name: string): boolean {
     const asset = this.assetOf(name);
     if (!asset) return false;

@@ -8,8 +8,8 @@ const DELAY = 500;
 
 /**
  * Marks the tab while scripts run, so that a page that hung and was reloaded opens with scripts off; `?scripts=off` in
- * the URL, or a frame of another page, switch them off too. Scripts that have run are remembered, so that files with
- * the same ones run without a question.
+ * the URL, or a frame of another page, switch scripts off too. Scripts that have run are remembered, so that files with
+ * the same scripts run them without a question.
  */
 export function guardScripts(document: EditorDocument): void {
   const { scripts } = document;
@@ -39,7 +39,7 @@ async function remember({ scene }: EditorDocument): Promise<void> {
   await code?.rememberScripts(scene);
 }
 
-/** Accesses sessionStorage; null when it is missing or full. */
+/** Accesses sessionStorage; null when it is missing or full, or access throws. */
 function ofTab<T>(use: (store: Storage) => T): T | null {
   try {
     return use(sessionStorage);

@@ -28,7 +28,7 @@ function known(): string[] {
   }
 }
 
-/** Whether the scripts of an opened scene may run: it has none, or the user has run or written exactly these before. */
+/** Whether the scripts of an opened scene may run: it has none, or the user has run or written the same set before. */
 export async function mayRunScripts(scene: Scene): Promise<boolean> {
   if (scriptsOf(scene).length === 0) return true;
   const hash = await hashOfAll(scene);

@@ -14,7 +14,7 @@ export function useEditor(): EditorApi {
   return editor;
 }
 
-/** Renders again each time a signal emits. @returns its revision */
+/** Renders the component each time a signal emits. @returns the signal's revision */
 export function useSignal(signal: Signal): number {
   return useSyncExternalStore(signal.subscribe, () => signal.revision);
 }

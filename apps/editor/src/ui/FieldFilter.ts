@@ -1,7 +1,7 @@
 import { matchesFilter } from '@farol/editing';
 import { createContext, useContext } from 'react';
 
-/** Words of the inspector's search; none shows all fields. */
+/** Words of the inspector's search; empty to show all fields. */
 export const FieldFilter = createContext<readonly string[]>([]);
 
 /** Title of the section around a field; a search that matches the title shows all of its fields. */

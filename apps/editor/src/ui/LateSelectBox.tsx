@@ -13,8 +13,8 @@ const LateBox = lateComponent<SelectBoxProps<string>>(
   ),
 );
 
-/** A `SelectBox` for the first frame: its code is fetched afterwards, and a placeholder that looks alike is shown until then. */
+/** A `SelectBox` for the first frame: its code is fetched afterwards; until then a similar placeholder is shown. */
 export function LateSelectBox<T extends string>(props: SelectBoxProps<T>): ReactNode {
-  // lateComponent() forgets the type of the values
+  // lateComponent() loses the type of the values
   return <LateBox {...(props as unknown as SelectBoxProps<string>)} />;
 }

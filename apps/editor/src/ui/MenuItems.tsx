@@ -7,7 +7,7 @@ import type { IconName } from '../style/iconPaths';
 
 type MenuLine = Extract<MenuEntry, { run(): void }>;
 
-/** The entries of a menu; submenus open beside it. */
+/** The entries of a menu; submenus open beside the menu. */
 export function MenuItems({ entries }: { entries: readonly MenuEntry[] }): ReactNode {
   return entries.map((entry, i) => {
     // oxlint-disable-next-line react/no-array-index-key -- separators are identified by their place

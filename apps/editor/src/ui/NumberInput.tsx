@@ -13,9 +13,8 @@ export interface NumberInputProps {
   readonly step: number;
   /** Unit shown after the number, and assumed for numbers typed without one. */
   readonly unit?: string;
-  /** Greatest number of decimals: five for 'long', of which those beyond the step show while typing; three for 'short'. */
+  /** Maximum number of decimals: five for 'long' (beyond those of `step` only while typing), three for 'short'. */
   readonly digits?: 'long' | 'short';
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   /** Element that can be dragged to change the number. */
@@ -32,7 +31,7 @@ export interface NumberInputProps {
   onDiscard(): void;
 }
 
-/** Text that is being typed into the number input, and the value before. */
+/** Text that is being typed into the number input, with the value before. */
 interface Draft {
   readonly text: string;
   /** Value before typing. */
@@ -55,7 +54,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   const problemId = useId();
   const input = useRef<HTMLInputElement>(null);
   const grip = useRef<HTMLSpanElement>(null);
-  // once all decimals are there
+  // after the rendering that shows all decimals
   useLayoutEffect(() => {
     if (hasFocus) input.current?.select();
   }, [hasFocus]);

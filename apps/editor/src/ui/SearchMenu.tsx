@@ -52,7 +52,7 @@ export function SearchMenu(props: SearchMenuProps): ReactNode {
         <Combobox.Positioner className="positioner" sideOffset={3} align="center">
           <Combobox.Popup className="popup search-popup" aria-label={label}>
             <Combobox.Input className="input" placeholder={t('Search')} aria-label={t('Search: {label}', { label })} />
-            <Combobox.Empty className="menu-empty">{t('Nothing of that name.')}</Combobox.Empty>
+            <Combobox.Empty className="menu-empty">{t('Nothing matches the search.')}</Combobox.Empty>
             <Combobox.List className="menu-list">
               {(item: SearchMenuItem) => (
                 <Combobox.Item key={item.value} value={item} disabled={item.disabled} className="menu-item">

@@ -13,7 +13,6 @@ interface SearchSelectProps {
   readonly options: readonly SearchOption[];
   /** Text shown when nothing is chosen. */
   readonly placeholder: string;
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;
@@ -59,7 +58,7 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
           <Combobox.Popup className="popup search-popup" aria-label={label}>
             <Combobox.Input className="input" placeholder={t('Search')} aria-label={t('Search: {label}', { label })} />
             <Combobox.Empty className="menu-empty">
-              {options.length === 0 ? t('There is none yet.') : t('Nothing of that name.')}
+              {options.length === 0 ? t('There is none yet.') : t('Nothing matches the search.')}
             </Combobox.Empty>
             <Combobox.List className="menu-list">
               {(option: SearchOption) => (

@@ -13,7 +13,6 @@ export interface SelectBoxProps<T extends string> {
   /** Chosen value; null when the edited objects have different ones. */
   readonly value: T | null;
   readonly options: readonly SelectOption<T>[];
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

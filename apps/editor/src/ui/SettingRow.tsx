@@ -5,12 +5,12 @@ import { Toggle } from './Toggle';
 interface SettingRowProps<T> {
   readonly label: string;
   readonly value: T;
-  /** Class of the row; that of a tool's by default. */
+  /** CSS class of the row; 'tool-row' when absent. */
   readonly className?: string;
   onChange(value: T): void;
 }
 
-/** A setting of a tool or dialog that is on or off. */
+/** Row with a switch, for a setting of a tool or dialog. */
 export function SwitchRow({ className = 'tool-row', ...props }: SettingRowProps<boolean>): ReactNode {
   return (
     <div className={className}>
@@ -24,7 +24,7 @@ interface ChoiceRowProps<T extends string> extends SettingRowProps<T> {
   readonly options: readonly SelectOption<T>[];
 }
 
-/** A setting of a tool or dialog that is one of several. */
+/** Row with a list of choices, for a setting of a tool or dialog. */
 export function ChoiceRow<T extends string>({ className = 'tool-row', ...props }: ChoiceRowProps<T>): ReactNode {
   return (
     <div className={className}>

@@ -11,7 +11,7 @@ export const lengthText = (seconds: number): string =>
     ? `${seconds.toFixed(1)} s`
     : `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, '0')}`;
 
-/** Plays and pauses a sound of the library, and shows its duration. */
+/** Button that plays and pauses a sound of the library, and shows its duration. */
 export function SoundButton({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   const { assets } = editor.document;

@@ -5,7 +5,6 @@ import { type KeyboardEvent, type ReactNode, useRef, useState } from 'react';
 interface TextInputProps {
   /** Text shown; null when the edited objects have different ones. */
   readonly value: string | null;
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

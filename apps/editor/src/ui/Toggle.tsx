@@ -5,7 +5,6 @@ import { Icon } from './Icon';
 interface ToggleProps {
   /** State shown; null when the edited objects have different ones. */
   readonly value: boolean | null;
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

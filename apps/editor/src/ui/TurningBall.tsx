@@ -21,7 +21,6 @@ interface TurningBallProps {
   materialOf(): Material | null;
   /** Changes each time the material may look different. */
   readonly revision: number;
-  /** Accessible name of the control. */
   readonly label: string;
 }
 

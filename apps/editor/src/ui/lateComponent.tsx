@@ -1,10 +1,10 @@
 import { type ComponentType, createElement, type ReactNode, useEffect, useState } from 'react';
 
 /**
- * A component whose code is fetched when it is first shown. Offline the placeholder stays; the next one that is shown tries
- * again.
+ * A component whose code is fetched when it is first shown. When fetching fails, the placeholder stays; the next time
+ * that the component is shown, fetching is tried again.
  * @param load - fetches the component
- * @param placeholder - shown until the code is there; nothing by default
+ * @param placeholder - shown until then; nothing by default
  */
 export function lateComponent<Props extends object>(
   load: () => Promise<ComponentType<Props>>,

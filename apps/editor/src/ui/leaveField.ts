@@ -1,4 +1,4 @@
-/** Removes the focus from a field, so that shortcuts work again; within a popup or dialog the focus stays inside. */
+/** Removes the focus from a field, so that shortcuts work again; a popup or dialog around the field gets it. */
 export function leaveField(field: HTMLElement | null): void {
   const popup = field?.closest<HTMLElement>('.popup, .dialog');
   if (popup) popup.focus();

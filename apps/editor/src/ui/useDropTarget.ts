@@ -1,8 +1,8 @@
 import { type DragEvent, type HTMLAttributes, useState } from 'react';
 
 /**
- * Properties of an element that something can be dropped on; `data-drop` tells whether it is above it.
- * @param accepts - asked of what is dragged, whose content cannot be read before it is dropped
+ * Properties of an element that accepts drops; `data-drop` is 'true' while accepted data is dragged over it.
+ * @param accepts - whether dragged data are accepted, judged by their types: contents cannot be read before the drop
  */
 export function useDropTarget(
   accepts: (dragged: DataTransfer) => boolean,

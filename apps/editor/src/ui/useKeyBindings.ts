@@ -3,7 +3,7 @@ import type { Action } from '../api/Action';
 import type { KeyBindings } from '../api/KeyBindings';
 import { useEditor } from './EditorContext';
 
-/** The editor's key bindings; renders again when they change. */
+/** The editor's key bindings; renders the component when they change. */
 export function useKeyBindings(): KeyBindings<Action> {
   const { keys } = useEditor();
   useStore(keys.store);

@@ -1,6 +1,6 @@
 import { useCallback, useSyncExternalStore } from 'react';
 
-/** Whether a media query matches, such as '(max-width: 700px)'; renders again when that changes. */
+/** Whether a media query matches, such as '(max-width: 700px)'; renders the component when that changes. */
 export function useMedia(query: string): boolean {
   const subscribe = useCallback(
     (listener: () => void) => {

@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'react';
 
 /**
- * Reads a value several times per second, and renders when it changes.
+ * Reads a value several times per second, and renders the component when it changes.
  * @param perSecond - readings per second; 0 reads only while rendering
  */
 export function usePoll<T extends string | number | null>(read: () => T, perSecond: number): T {

@@ -5,7 +5,7 @@ import { type RefObject, useEffect, useRef } from 'react';
 export interface Scrub {
   /** Called when the press becomes a drag. */
   begin(): void;
-  /** @param pixels - movement since the last call @param factor - 10 with Shift, 0.1 with Alt, else 1 */
+  /** Called on movement. @param pixels - since the last call @param factor - 10 with Shift, 0.1 with Alt, else 1 */
   move(pixels: number, factor: number): void;
   /** Called at the end of a drag. @param keeps - whether its result is kept */
   end(keeps: boolean): void;
@@ -93,7 +93,7 @@ function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>)
   document.addEventListener(
     'pointerlockchange',
     () => {
-      // the browser uses Escape to end pointer lock
+      // pressing Escape ends the pointer lock, without a key event
       if (wasLocked && document.pointerLockElement !== target) finish(false);
       wasLocked = document.pointerLockElement === target;
     },
@@ -101,7 +101,7 @@ function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>)
   );
 }
 
-/** Locks the pointer until the drag is over, where supported; the lock may be granted only after that. */
+/** Locks the pointer until the drag is over, where supported; a lock granted after that is released at once. */
 function lock(target: HTMLElement, over: AbortSignal): void {
   const release = (): void => {
     if (over.aborted && document.pointerLockElement === target) document.exitPointerLock();

@@ -8,7 +8,7 @@ const CALM = 250;
 const never = (): (() => void) => () => {};
 
 /**
- * URL of an asset's thumbnail; null until there is one. Thumbnails of materials follow their fields.
+ * URL of an asset's thumbnail; null until there is one. Thumbnails of materials are updated when fields change.
  * @param entry - a new object each time the asset may look different
  * @param isWanted - whether the thumbnail is needed now
  */

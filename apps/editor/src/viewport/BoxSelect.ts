@@ -2,12 +2,12 @@ import { Vector2 } from 'three';
 import type { pickBox } from './pickBox';
 import type { PickSurface } from './PickSurface';
 
-/** Distance (CSS pixels) from which a drag draws a selection box. */
+/** Distance (CSS pixels) beyond which a drag draws a selection box. */
 const REACH = 4;
 
 /**
  * Selects the objects in a box drawn over the viewport: by dragging while the select mode is on, or with Ctrl held,
- * which adds to the selection. Alt and dragging still orbits, two fingers still pan and zoom.
+ * which adds to the selection. Dragging with Alt orbits, and two fingers pan and zoom, as usual.
  */
 export class BoxSelect {
   private readonly element = document.createElement('div');
@@ -16,7 +16,7 @@ export class BoxSelect {
   private readonly listening = new AbortController();
   private pointer: number | null = null;
   private isOpen = false;
-  /** Finds the objects in a box; null until its code was fetched. */
+  /** Returns the objects in a box; null until its code was fetched. */
   private find: typeof pickBox | null = null;
 
   constructor(private readonly viewport: PickSurface) {
@@ -39,17 +39,17 @@ export class BoxSelect {
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
-    // a second finger moves the camera: no box
+    // a second finger moves the camera, and cancels the box
     if (this.pointer !== null && event.pointerId !== this.pointer) return this.cancel();
     const { viewport } = this;
     if (event.button !== 0 || event.altKey || event.shiftKey || viewport.gizmo.isHot) return;
     if (viewport.mode !== 'select' && !(event.ctrlKey || event.metaKey)) return;
     if (!viewport.editorCamera.enabled) return;
     this.pointer = event.pointerId;
-    // a failure is told when the box is drawn
+    // a failure is reported when the box is drawn
     this.loadFind().catch(() => {});
     this.from.set(event.clientX, event.clientY);
-    // the camera must know of the first finger when the second one comes
+    // with touch the controls stay enabled, so that a second finger can begin to pan and zoom
     if (event.pointerType === 'touch') viewport.editorCamera.oneFinger = false;
     else viewport.editorCamera.enabled = false;
   };
@@ -81,7 +81,7 @@ export class BoxSelect {
     else this.loadFind().then((find) => this.select(find, adds), viewport.onError);
   };
 
-  /** Fetches what finds the objects of a box: asked for as a press begins, it is there when the box is drawn. */
+  /** Fetches the code that finds the objects in a box; begun with the press, to be loaded when the box is drawn. */
   private async loadFind(): Promise<typeof pickBox> {
     return (this.find ??= (await import('./pickBox')).pickBox);
   }

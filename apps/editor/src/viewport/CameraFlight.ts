@@ -5,7 +5,7 @@ import { poseEdits, poseProblem } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { EditorCamera } from './EditorCamera';
 
-/** Wheel notches and key presses closer in time than this (ms) are one step of history. */
+/** Largest interval (ms) between wheel notches or key presses that are one step of history. */
 const BURST = 1000;
 
 /** Matrix that no camera has, so that the next comparison fails. */
@@ -14,14 +14,14 @@ const NOWHERE = Array.from({ length: 16 }, () => 0) as Parameters<Matrix4['set']
 const turn = new Quaternion();
 
 /**
- * Moves a camera of the scene with the editor camera's controls while it is looked through. Each drag, flight or burst
- * of the wheel is one step of history.
+ * Moves a camera of the scene with the editor camera's controls while its view is shown. Each drag, flight or burst of
+ * the wheel is one step of history.
  */
 export class CameraFlight {
   private flown: CameraComponent | null = null;
   private gesture: Gesture | null = null;
   private isHeld = false;
-  /** Roll of the scene's camera relative to the editor's, whose controls have none. */
+  /** Roll of the scene's camera relative to the editor's camera, whose controls have no roll. */
   private readonly roll = new Quaternion();
   private readonly pose = { position: new Vector3(), quaternion: new Quaternion() };
   /** World matrix of the scene's camera when it was last read or moved; `lens` is its projection matrix. */
@@ -46,7 +46,7 @@ export class CameraFlight {
     window.addEventListener('blur', this.pointerUp);
   }
 
-  /** The scene's camera that is moved; null for none. */
+  /** The scene's camera that is moved; null when none is. */
   get camera(): CameraComponent | null {
     return this.flown;
   }
@@ -59,7 +59,7 @@ export class CameraFlight {
     this.problemOf = '';
   }
 
-  /** Why the camera cannot be moved, in a sentence with the remedy; null when it can, and without a camera. */
+  /** Why the camera cannot be moved, in a sentence with the remedy; null when it can, or there is none. */
   get problem(): string | null {
     const { flown, document } = this;
     if (!flown?.isAttached) return null;
@@ -91,7 +91,7 @@ export class CameraFlight {
     if (hasMoved && this.problem === null) {
       const command = this.command(flown);
       if (this.isHeld || this.gesture?.isOpen) {
-        // another edit has ended the gesture: further movement is a step of its own
+        // another edit has ended the gesture: further movement becomes a new step
         if (!this.gesture?.isOpen) this.gesture = document.commands.begin();
         this.gesture.preview(command);
       } else this.runStep(command);
@@ -124,7 +124,7 @@ export class CameraFlight {
     return new SetFields(t('Fly {name}', { name: camera.gameObject.name }), edits);
   }
 
-  /** Runs a step for movement without a clear end (wheel, keys), merging it into the step before if that is recent. */
+  /** Runs a step for movement without a clear end (wheel, keys), merging it into the last step if that is recent. */
   private runStep(command: Command): void {
     const { commands } = this.document;
     const now = performance.now();

@@ -25,7 +25,6 @@ export class CanvasPlace {
     this.measure();
   }
 
-  /** Removes the canvas from its parent. */
   detach(): void {
     this.resizer.disconnect();
     this.canvas.remove();

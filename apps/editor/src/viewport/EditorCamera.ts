@@ -19,7 +19,7 @@ import type { ViewPose } from './ViewPose';
 export const NEAREST = 0.05;
 export const FARTHEST = 2000;
 
-/** Orbit distance (m) when nothing is hit, not even the ground; and the longest one. */
+/** Orbit distance (m) when the view's centre hits nothing, not even the ground; and the longest distance to a hit. */
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
 
@@ -36,7 +36,7 @@ const calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').match
 
 /**
  * The editor's own camera. PointerControls move a perspective camera; its orthographic twin renders views without
- * perspective, matching it at the distance of the target. Until it has controls it does not glide.
+ * perspective, matching it at the distance of the target. Without controls it does not glide.
  */
 export class EditorCamera {
   readonly perspective = new PerspectiveCamera(50, 1, 0.05, 1000);
@@ -58,13 +58,13 @@ export class EditorCamera {
   private isActive = false;
   private isSoft = !calm();
 
-  /** @param hasKeys - asked at each key press whether the controls may use it */
+  /** @param hasKeys - called at each key press: whether the controls may use the key */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly hasKeys: () => boolean = () => true,
   ) {}
 
-  /** Lets pointer, wheel and keys move the camera; once is enough. */
+  /** Creates the controls by which pointer, wheel and keys move the camera; further calls do nothing. */
   control(Controls: typeof PointerControls): void {
     if (this.controls) return;
     this.controls = new Controls(this.perspective, this.canvas, {
@@ -101,7 +101,7 @@ export class EditorCamera {
     this.follow();
   }
 
-  /** Height of the view at the distance of the target (m). */
+  /** Height of the visible area at the distance of the target (m). */
   get height(): number {
     return 2 * this.distance * Math.tan((this.perspective.fov * MathUtils.DEG2RAD) / 2);
   }
@@ -116,7 +116,7 @@ export class EditorCamera {
     };
   }
 
-  /** False while something else, such as the gizmo, uses the pointer. */
+  /** Whether the controls may be used; false while something else, such as the gizmo, uses the pointer. */
   get enabled(): boolean {
     return this.isWanted && this.isAllowed && this.isActive;
   }
@@ -126,13 +126,13 @@ export class EditorCamera {
     this.enable();
   }
 
-  /** False while there is nothing that the controls may move, such as a camera that cannot be moved. */
+  /** Whether the view may change; false when a camera is shown that cannot be moved. */
   set allowed(allowed: boolean) {
     this.isAllowed = allowed;
     this.enable();
   }
 
-  /** Whether pointer and keys on the canvas are meant for this view's camera. False at first. */
+  /** Whether pointer and keys on the canvas control this view's camera. False at first. */
   set active(active: boolean) {
     this.isActive = active;
     this.enable();
@@ -209,7 +209,7 @@ export class EditorCamera {
   /**
    * Takes over the pose of a scene's camera, with its field of view or size.
    * @param distanceTo - distance (m) of what that camera sees at its centre; null when there is nothing
-   * @param exact - whether a narrow viewport shows no more than that camera does
+   * @param exact - whether a narrow viewport shows no more than that camera
    */
   matchCamera({ three }: CameraComponent, distanceTo: (camera: Camera) => number | null, exact = false): void {
     if (three instanceof PerspectiveCamera) this.fov = three.fov;
@@ -254,7 +254,7 @@ export class EditorCamera {
     this.settle();
   }
 
-  /** Registers the pointer listeners again, after those that the canvas has now. */
+  /** Registers the pointer listeners again, behind the canvas's current ones. */
   listenLast(): void {
     this.controls?.listenLast();
   }
@@ -279,7 +279,7 @@ export class EditorCamera {
     orbiter.draggingSmoothTime = isSoft ? 0.04 : 0;
   }
 
-  /** Places the camera at a point, looking at another one. @param animate - whether to glide there if it can */
+  /** Places the camera at a point, looking at a target. @param animate - whether to glide there if it can */
   private place(position: Vector3, target: Vector3, animate: boolean): void {
     const glide = animate && this.glides;
     void this.orbiter?.setLookAt(...position.toArray(), ...target.toArray(), glide);

@@ -4,7 +4,7 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 /** Rotation per pixel of pointer movement (rad). */
 const TURN = 0.0035;
 
-/** In orthographic views: share of the orbit distance per second that a speed of 1 m/s stands for. */
+/** Speed in orthographic views: share of the orbit distance per second, for each m/s. */
 const FLAT_PART = 0.08;
 
 /** Largest pitch above or below the horizon (rad). */
@@ -48,9 +48,9 @@ export class FlyControls {
   private pitch = 0;
 
   /**
-   * @param canvas - where the button is pressed
-   * @param controls - controls of the camera to move; they are disabled meanwhile
-   * @param isEnabled - asked when the button is pressed
+   * @param canvas - receives the button presses
+   * @param controls - controls of the camera to move; disabled during flight
+   * @param isEnabled - called when the button is pressed: whether flying is allowed
    * @param isFlat - whether the view is orthographic: pointer movement then orbits, and forward zooms in
    */
   constructor(
@@ -104,9 +104,7 @@ export class FlyControls {
     this.listening.abort();
   }
 
-  /**
-   * Moves in an orthographic view: speed goes with the height of the view, since moving forward enlarges nothing there.
-   */
+  /** Moves in an orthographic view: the speed is proportional to the height of the view, and forward zooms in. */
   private updateFlat(deltaSeconds: number): boolean {
     const { controls } = this;
     if (this.yaw !== 0 || this.pitch !== 0) void controls.rotate(-this.yaw * TURN, -this.pitch * TURN, false);

@@ -1,9 +1,9 @@
-/** Callbacks of a loop, in each animation frame. */
+/** Work of a loop, in each animation frame. */
 export interface FrameWork {
-  /** Advances time. @param seconds - since the last animation frame; 0 at first @returns whether to draw */
+  /** Advances time. @param seconds - since the last animation frame; 0 at first @returns whether to draw a frame */
   advance(seconds: number): boolean;
   draw(): void;
-  /** Frames that a request takes; a frame may tell that fewer do. */
+  /** Number of frames that a request needs; read again after each frame, since it may become smaller. */
   frames(): number;
   /** Called with an error that `draw` has thrown. */
   failed(error: unknown): void;

@@ -17,7 +17,7 @@ export class FrameRecorder {
   /** @param length - number of frames kept */
   constructor(readonly length = 120) {}
 
-  /** Passes that ran in one of the kept frames, in the order they first did. */
+  /** Passes that ran in one of the kept frames, in the order of their first run. */
   get passes(): PassTimes[] {
     return [...this.byName.values()].filter(({ cpu }) => cpu.some((ms) => ms >= 0));
   }

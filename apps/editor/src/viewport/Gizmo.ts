@@ -12,12 +12,12 @@ import type { PoseDrag } from './handles/PoseDrag';
 export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';
 export type GizmoSpace = 'world' | 'local';
 /**
- * Point that several objects rotate and scale about: their common centre, each one's own origin, or the origin of the
- * one selected last.
+ * Point that several objects rotate and scale about: their common centre, each object's own origin, or the origin of
+ * the object selected last.
  */
 export type GizmoPivot = 'centre' | 'each' | 'active';
 
-/** Increments of drags while snapping. */
+/** Snapping increments of drags. */
 export interface SnapSteps {
   /** Increment of moves (m). */
   readonly translate: number;
@@ -37,7 +37,7 @@ export class Gizmo {
   /** three's object of the gizmo, drawn over the viewport. */
   readonly three = new Object3D();
 
-  /** Fetched when something is first selected; null until then. */
+  /** three's handles, fetched when something is first selected; null until then. */
   private controls: TransformControls | null = null;
   private coarsePointer: MediaQueryList | null = null;
   private assist: DragAssist | null = null;
@@ -45,7 +45,7 @@ export class Gizmo {
   private loading: Promise<void> | null = null;
   private ownSpace: GizmoSpace = 'world';
   private readonly proxy = new Object3D();
-  /** Makes the object of a drag; null until it is fetched with the handles. */
+  /** Class that moves objects during a drag; null until it is fetched with the handles. */
   private Drag: typeof PoseDrag | null = null;
   private poseDrag: PoseDrag | null = null;
   private targetList: GameObject[] = [];
@@ -236,7 +236,7 @@ export class Gizmo {
 
   /**
    * Selected objects that are not locked and not below another selected one. Cached until selection or structure
-   * changes, since it is asked each frame.
+   * changes, since it is read each frame.
    */
   private targets(): GameObject[] {
     const { selection, structure, selectedObjects, scene } = this.document;
@@ -284,7 +284,7 @@ export class Gizmo {
     this.assist?.begin({ scene, camera, mode, axis: this.grabbed, space, dragged: objects, pivot });
   }
 
-  /** Continues the drag with another handle; back to the first one if the drag uses that handle already. */
+  /** Continues the drag with another handle; with the first one again if the drag already uses that handle. */
   private changeAxis(axis: string): void {
     const { controls, assist } = this;
     if (!controls || !assist || !this.gesture) return;

@@ -2,7 +2,7 @@ import { type Camera, Mesh, OrthographicCamera, PlaneGeometry, ShaderMaterial, V
 import fragmentShader from './grid.frag.glsl?raw';
 import vertexShader from './grid.vert.glsl?raw';
 
-/** In orthographic views: least distance between lines, as a share of the view's height. */
+/** Smallest distance between lines in orthographic views, as a share of the view's height. */
 const FINEST = 1 / 60;
 
 const X = new Vector3(1, 0, 0);

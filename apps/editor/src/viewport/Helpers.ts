@@ -19,12 +19,12 @@ export class Helpers {
 
   private readonly grid = new Grid();
   private readonly icons = new IconPoints();
-  /** Fetched once something is selected, or ranges are shown. */
+  /** Lines of the selection and ranges; fetched once something is selected, or ranges are shown. */
   private readonly lines: LatePart<SelectionLines>;
 
   /**
-   * @param stamps - tell what has changed since icons were drawn
-   * @param redraw - called when the picture is to be drawn anew
+   * @param stamps - counts of changes, by which unchanged icons are kept
+   * @param redraw - called when the picture must be drawn again
    * @param failed - called when the code of the selection's lines cannot be fetched
    */
   constructor(

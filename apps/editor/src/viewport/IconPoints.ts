@@ -52,7 +52,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   private readonly shown: GameObject[] = [];
   /** Current size of an icon (CSS pixels). */
   private size = SIZE;
-  /** State that the icons were last brought up to date for. */
+  /** State for which the icons were last updated. */
   private readonly drawn = {
     scene: null as Scene | null,
     without: null as Camera | null,
@@ -77,8 +77,8 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   }
 
   /**
-   * Brings positions and colours up to date where something has changed since the last call.
-   * @param without - a camera that is looked through, which gets no icon
+   * Updates positions and colours when something has changed since the last call.
+   * @param without - the camera whose view is shown, which gets no icon
    */
   follow(
     { scene, selection }: EditorDocument,

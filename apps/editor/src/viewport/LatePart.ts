@@ -7,9 +7,9 @@ export class LatePart<Part extends { dispose(): void }> {
   private isDisposed = false;
 
   /**
-   * @param isNeeded - asked each time until it is fetched
-   * @param load - fetches the code; what it resolves to makes the part
-   * @param failed - called when the code cannot be fetched; it is not asked for again
+   * @param isNeeded - called by `get` until fetching begins: whether the part is needed
+   * @param load - fetches the code; resolves to a function that creates the part
+   * @param failed - called when the code cannot be fetched; this is not tried again
    */
   constructor(
     private readonly isNeeded: () => boolean,
@@ -17,7 +17,7 @@ export class LatePart<Part extends { dispose(): void }> {
     private readonly failed: (error: unknown) => void,
   ) {}
 
-  /** The part, once it was needed and its code is there. */
+  /** Returns the part, once it is needed and its code is fetched; null until then. */
   get(): Part | null {
     if (!this.isAsked && this.isNeeded()) {
       this.isAsked = true;

@@ -8,12 +8,12 @@ import type { MaterialBall } from './MaterialBall';
 import type { ParticlePreview, PreviewHost } from './particles/ParticlePreview';
 import type { OverlayHost, PhysicsOverlay } from './physics/PhysicsOverlay';
 
-/** Parts of the viewport that its late code uses. */
+/** Parts of the viewport that late code uses. */
 export interface LateHost extends OverlayHost, PreviewHost {
   readonly webgl: WebGLRenderer;
   /** Helpers drawn over the picture: icons, lines, the gizmo. */
   readonly helpers: { readonly scene: Scene };
-  /** The selected camera, of which a small picture is shown; null for none. */
+  /** The selected camera, whose view is shown as an inset; null for none. */
   readonly previewed: CameraComponent | null;
   shareMicroShaders(registry: MicroShaderRegistry): void;
   onError(error: unknown): void;
@@ -21,20 +21,20 @@ export interface LateHost extends OverlayHost, PreviewHost {
 
 /** Colour of the lines of a selected light. */
 const LIGHT_COLOUR = '#ff9d3c';
-/** Round the light's place, where its icon and the gizmo's middle are (CSS pixels). */
+/** Radius around the light's position without handles, since its icon and the gizmo's centre are there (CSS pixels). */
 const LIGHT_CLEARANCE = 12;
 
 const physicsTypes = ['Collider', 'Joint', 'CharacterController'];
 
-/** The parts of the viewport that most scenes, or the first frame, do without. */
+/** The parts of the viewport that most scenes, or the first frame, do not need. */
 export class LateParts {
   /** Lines and handles of colliders and joints, once a scene has any. */
   readonly physics: LatePart<PhysicsOverlay>;
-  /** Handles that size lights with a shape, once one is selected. */
+  /** Handles that resize area lights, once one is selected. */
   readonly lightHandles: LatePart<HandlePoints>;
   /** Selected emitters, which play while the scene is stopped, once a scene has any. */
   readonly particles: LatePart<ParticlePreview>;
-  /** The small picture of the selected camera, once one is selected. */
+  /** The inset with the selected camera's view, once one is selected. */
   readonly preview: LatePart<CameraPreview>;
 
   private ball: MaterialBall | null = null;
@@ -102,7 +102,7 @@ export class LateParts {
     );
   }
 
-  /** Draws the small picture of the selected camera. @param width - of the canvas (CSS pixels), as `height` */
+  /** Draws the inset with the selected camera's view. @param width - width of the canvas (CSS pixels) */
   drawPreview(width: number, height: number): void {
     const { previewed, document } = this.host;
     const preview = this.preview.get();
@@ -113,8 +113,8 @@ export class LateParts {
   }
 
   /**
-   * Draws a ball of a material on a canvas of the page: see `MaterialBall.draw`.
-   * @throws Error (as a rejection) when the code cannot be fetched; try again
+   * Draws a preview ball of a material: see `MaterialBall.draw`.
+   * @throws Error (as a rejection) when the code cannot be fetched; a later call tries again
    */
   async drawBall(...of: Parameters<MaterialBall['draw']>): Promise<void> {
     const { MaterialBall: Ball } = await import('./MaterialBall');

@@ -24,8 +24,8 @@ import { whenRestored } from './whenRestored';
 export type BallTurn = readonly [right: number, up: number];
 
 /**
- * Renders a sphere with a material to a canvas of the page, without waiting for the GPU. The material is the scene's
- * own, lit by lights of the preview.
+ * Renders a sphere with a material to a canvas of the page, without waiting for the GPU. Uses the scene's material
+ * itself, under lights of the preview.
  */
 export class MaterialBall {
   private readonly scene = new Scene();
@@ -55,8 +55,8 @@ export class MaterialBall {
   }
 
   /**
-   * Renders the sphere, retrying once after a lost context. Of several calls during rendering, only the last is carried
-   * out.
+   * Renders the sphere, retrying once after a lost context. When several calls arrive during rendering, only the last
+   * one is carried out.
    * @param canvas - filled with the image
    * @param environment - environment map for reflections; null for none
    */
@@ -95,7 +95,7 @@ export class MaterialBall {
     for (const material of this.ownMaterials) material.dispose();
   }
 
-  /** @returns false when the context was lost during rendering */
+  /** Renders the sphere once. @returns false when the context was lost during rendering */
   private async drawNow(
     material: Material,
     environment: Texture | null,

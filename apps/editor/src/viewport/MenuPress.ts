@@ -7,8 +7,8 @@ const LONG = 500;
 const REACH = { mouse: 4, finger: 8 };
 
 /**
- * Opens the viewport's context menu on a right click or a long press, after selecting the object there. Not while a
- * finger orbits, pans or drags a handle, while flying with keys, or while input goes to the scene.
+ * Opens the viewport's context menu on a right click or a long press, after selecting the object there. Does nothing
+ * while a finger orbits, pans or drags a handle, while flying with keys, or while input goes to the scene.
  */
 export class MenuPress {
   private readonly from = new Vector2();
@@ -65,7 +65,7 @@ export class MenuPress {
     const { viewport } = this;
     if (viewport.gizmo.isHot) return;
     this.fire();
-    // the finger must not select or drag any more
+    // after the menu has opened, the finger must not select or drag
     viewport.picker.cancel();
     viewport.boxSelect.cancel();
     viewport.editorCamera.enabled = false;

@@ -1,6 +1,6 @@
 import { MathUtils, OrthographicCamera, type PerspectiveCamera } from 'three';
 
-/** Orthographic cameras that show as much as a perspective one at the distance of its target. */
+/** Orthographic cameras with the same view as a perspective camera at the distance of its target. */
 export class OrthographicTwin {
   /** Camera to render with. Also shows what is behind the eye: near is the negative of far. */
   readonly camera = new OrthographicCamera();
@@ -8,7 +8,7 @@ export class OrthographicTwin {
   readonly rays = new OrthographicCamera();
 
   /**
-   * Takes over pose and size of the view.
+   * Copies the pose of the perspective camera, and the size of its view.
    * @param distance - distance from the eye (m, above 0) at which both views have the same size
    */
   follow(perspective: PerspectiveCamera, distance: number): void {

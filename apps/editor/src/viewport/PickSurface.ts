@@ -5,7 +5,7 @@ import type { EditorCamera } from './EditorCamera';
 import type { GizmoMode } from './Gizmo';
 import type { Bounds } from './panes/paneSurface';
 
-/** The part of the viewport that selecting by pointer uses. */
+/** The part of the viewport that selection by pointer uses. */
 export interface PickSurface {
   readonly canvas: HTMLCanvasElement;
   readonly document: { readonly scene: Scene; readonly selection: Selection };

@@ -12,12 +12,12 @@ import { castByTree } from './trees/castByTree';
 
 const middle = new Vector2();
 
-/** The camera that the viewport shows: the editor's own, or one of the scene that is looked through. */
+/** The camera that the viewport shows: the editor's own, or one of the scene. */
 export class PictureCamera {
-  /** Moves the scene's camera that is looked through; fetched once one is. */
+  /** Code that moves a camera of the scene; fetched once the viewport shows one. */
   private readonly flight: LatePart<CameraFlight>;
   private through: CameraComponent | null = null;
-  /** Pose of the editor's camera before a camera was looked through. */
+  /** Pose of the editor's camera before the view of a scene's camera was shown. */
   private before: ViewPose | null = null;
 
   /** @param failed - called when the code that moves a camera of the scene cannot be fetched */
@@ -41,7 +41,7 @@ export class PictureCamera {
     );
   }
 
-  /** The scene's camera that is looked through; null for the editor's own. */
+  /** The scene's camera whose view is shown; null for the editor's own. */
   get lookThrough(): CameraComponent | null {
     return this.through;
   }
@@ -56,22 +56,20 @@ export class PictureCamera {
     this.editorCamera.allowed = this.steers;
   }
 
-  /**
-   * Whether the controls can change the view: always with the editor's camera, else if the scene's camera can be moved.
-   */
+  /** Whether the controls can change the view: always with the editor's camera, else if the scene's can move. */
   get steers(): boolean {
     return this.through === null || (this.flight.part !== null && this.problem === null);
   }
 
-  /** Why the camera that is looked through cannot be moved, in a sentence with the mend; null where it can. */
+  /** Why the shown camera cannot be moved, in a sentence with the remedy; null when it can. */
   get problem(): string | null {
     return this.flight.part?.problem ?? null;
   }
 
-  /** Whether the camera that is looked through has been removed from the scene. */
+  /** Whether the shown camera has been removed from the scene. */
   get isLost(): boolean {
     if (this.through === null) return false;
-    // an edit of a script may have put another camera in its place
+    // an edited script may have replaced the camera
     this.lookThrough = currentOf(this.through);
     return !this.document.scene.componentsOf(CameraComponent).includes(this.through);
   }
@@ -95,7 +93,7 @@ export class PictureCamera {
     return hasMoved;
   }
 
-  /** The selected camera, unless it is looked through; null when none is selected. */
+  /** The selected camera, unless its view is shown; null when none is selected. */
   get selected(): CameraComponent | null {
     const camera = this.document.selectedObjects.at(-1)?.getComponent(CameraComponent) ?? null;
     return camera === this.through ? null : camera;
@@ -142,7 +140,7 @@ export class PictureCamera {
   /** Frames the selection, or everything when nothing is selected. */
   focus(camera: EditorCamera = this.editorCamera): void {
     const { selectedObjects, scene } = this.document;
-    // an edit since the last frame, such as an object just added, counts too
+    // matrices are updated, since an object may have been added after the last frame
     scene.three.updateMatrixWorld();
     const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
     if (!box.isEmpty()) camera.focus(box);

@@ -7,15 +7,15 @@ import type { EditorDocument } from '../model/EditorDocument';
 const matrix = new Matrix4();
 const inverse = new Matrix4();
 
-/** Looks through a camera of the scene while it plays, and restores the view when it stops. */
+/** Shows the view of a scene's camera while the scene plays, and restores the view when it stops. */
 export class PlayView {
-  /** Camera looked through before playing; undefined when there is nothing to restore. */
+  /** Camera shown before playing, null for the editor's; undefined when there is nothing to restore. */
   private before: CameraComponent | null | undefined;
   /** Camera that the scene plays through; null for none. */
   private camera: CameraComponent | null = null;
   private readonly end: () => void;
 
-  /** Whether the scene is seen as its players see it: while it plays, through the camera that it was started with. */
+  /** Whether the scene is shown as to its players: while it plays, through the camera that it was started with. */
   get isOn(): boolean {
     const { document, view, camera } = this;
     return camera !== null && view.lookThrough === camera && document.simulation.isPlaying;
@@ -29,8 +29,8 @@ export class PlayView {
   }
 
   /**
-   * Plays the scene, looking through a camera.
-   * @param from - pose that the camera gets for the run, undone by stopping; null keeps its own
+   * Plays the scene through a camera.
+   * @param from - pose of the camera while playing, undone by stopping; null for its own
    */
   play(camera: CameraComponent, from: CameraView | null): void {
     const { simulation } = this.document;

@@ -35,20 +35,20 @@ const nudges: Readonly<
   '-': { closer: -0.15 },
 };
 
-/** Questions that PointerControls ask their camera. */
+/** State that PointerControls read from their camera. */
 export interface ControlsHost {
   /** Whether pointer and keys may move the camera. */
   isEnabled(): boolean;
-  /** Asked at each key press: whether the controls may use it. */
+  /** Called at each key press: whether the controls may use the key. */
   hasKeys(): boolean;
-  /** Whether flying keeps to the plane of the view, as in orthographic views. */
+  /** Whether flying moves in the plane of the view, as in orthographic views. */
   isFlat(): boolean;
 }
 
 /**
- * Pointer, wheel and keys of one EditorCamera. Left button orbits; middle, or Shift and left, pans; the wheel zooms towards
- * the pointer; the right button looks around and flies. One finger orbits, two pan and zoom. The code is fetched with the
- * panel that shows the canvas.
+ * Pointer, wheel and keys of one EditorCamera. The left button orbits; the middle one, or Shift and the left, pans; the
+ * wheel zooms towards the pointer; the right button looks around and flies. One finger orbits, two pan and zoom. The
+ * code is fetched with the panel that shows the canvas.
  */
 export class PointerControls {
   readonly orbit: CameraControls;
@@ -76,7 +76,7 @@ export class PointerControls {
     this.orbit.touches.one = orbits ? ACTION.TOUCH_ROTATE : ACTION.NONE;
   }
 
-  /** Registers the pointer listeners again, after those that the canvas has now. */
+  /** Registers the pointer listeners again, behind the canvas's current ones. */
   listenLast(): void {
     this.orbit.disconnect();
     this.orbit.connect(this.canvas);

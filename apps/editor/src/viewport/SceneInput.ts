@@ -3,21 +3,21 @@ import type { Camera } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 
 /**
- * Sends input to a playing scene: the pointer to the object under it, and, while a camera of the scene is looked
- * through, to all components that follow the pointer; keys while the canvas has focus and a component listens to keys.
- * Escape returns the keys to the editor until the canvas is clicked or focused again.
+ * Sends input to a playing scene: the pointer to the object under it, and, while the view of a scene's camera is shown,
+ * to all components that follow the pointer; keys while the canvas has focus and a component listens to keys. Escape
+ * returns the keys to the editor until the canvas is clicked or focused again.
  */
 export class SceneInput {
   private readonly router: InputRouter;
   private isHeldBack = false;
-  /** Codes of keys that the scene was told are down. */
+  /** Codes of keys whose keydown was sent to the scene. */
   private readonly held = new Set<string>();
 
   /**
    * @param surface - the canvas, as large as the view that the scene is played in
    * @param getCamera - the camera of that view
-   * @param isLookedThrough - whether a camera of the scene is looked through
-   * @param changed - called when keys may go elsewhere than before
+   * @param isLookedThrough - whether the view is that of a scene's camera
+   * @param changed - called when the receiver of keys may have changed
    */
   constructor(
     private readonly document: EditorDocument,
@@ -76,7 +76,7 @@ export class SceneInput {
     else scene.dispatchObjectPointer(event);
   }
 
-  /** A keyup always passes if the scene was told of the keydown, so that no key stays down. */
+  /** Whether to send a key event. A keyup is always sent after its keydown, so that no key stays down. */
   private mayPass({ type, code }: EngineKeyEvent): boolean {
     if (type === 'up') return this.held.delete(code);
     if (this.hasKeys) this.held.add(code);

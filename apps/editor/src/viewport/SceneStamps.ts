@@ -2,30 +2,30 @@ import { Light, LightGroup, type SceneChange } from '@farol/engine';
 import type { Scene as ThreeScene } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 
-/** Fields of a Light that its icon shows. */
+/** Fields of a Light that its icon's appearance depends on. */
 const iconFields = new Set(['diffuse', 'colourBy', 'kelvin']);
 
-/** Whether an edit only changes how lights shine: objects stay where they are, and none comes or goes. */
+/** Whether an edit changes only the light of objects: none is moved, added or removed. */
 const isLightAlone = (change: SceneChange): boolean =>
   (change.kind === 'field' || change.kind === 'enabled') &&
   (change.component instanceof LightGroup ||
     (change.component instanceof Light && (change.kind === 'enabled' || change.field !== 'type')));
 
 /**
- * Counts what changes in a document's scene by what a frame must do for it, so that it leaves out what is as it was: a
- * view that turns, or a light that is dimmed, moves none of the scene's objects.
+ * Counts changes of a document's scene by the work that they cause in a frame, so that unneeded work is left out: an
+ * orbiting view, or a dimmed light, moves no object.
  */
 export class SceneStamps {
-  /** Grows when objects may have moved, come or gone: with all but the changes that are known to move nothing. */
+  /** Grows with every change unless it is known to leave all objects in place: one may be moved, added or removed. */
   places = 0;
-  /** Grows when icons may have to look another way, though nothing has moved. */
+  /** Grows when icons may look different though no object has moved. */
   icons = 0;
-  /** `places` that the world matrices of `current` are of. */
+  /** Value of `places` for which the world matrices of `current` were updated. */
   private updated = -1;
   private current: ThreeScene | null = null;
   private readonly endings: (() => void)[];
 
-  /** @param ask - asks for the next frame, with objects where they are */
+  /** Subscribes to the document. @param ask - requests a frame for which no object has moved */
   constructor(
     document: EditorDocument,
     private readonly ask: () => void,
@@ -41,16 +41,16 @@ export class SceneStamps {
     ];
   }
 
-  /** Objects may have moved, by whatever means: the next frame looks at all of them. */
+  /** Notes that objects may have moved: the next frame updates all of them. */
   readonly move = (): void => void this.places++;
 
-  /** Asks for the next frame; objects may have moved. */
+  /** Requests the next frame; objects may have moved. */
   readonly redraw = (): void => {
     this.move();
     this.ask();
   };
 
-  /** Draws a scene, whose world matrices three and Farol bring up to date only when objects may have moved. */
+  /** Draws a scene; three and Farol update its world matrices only when objects may have moved. */
   draw(scene: ThreeScene, draw: () => void): void {
     const { places } = this;
     const { matrixWorldAutoUpdate } = scene;

@@ -11,7 +11,7 @@ const COLOUR = '#ff9d3c';
 /** Colour of the ranges of lights that are not selected. */
 const QUIET = '#8a7a5c';
 
-/** The outline and lines of what is selected, and the ranges of lights that are not. */
+/** The outline and lines of the selection, and the ranges of other lights. */
 export class SelectionLines {
   private readonly lines = new LineSet(COLOUR);
   private readonly ranges = new LineSet(QUIET);
@@ -28,9 +28,9 @@ export class SelectionLines {
   }
 
   /**
-   * Draws the outline over the picture that was just drawn with the same camera, and brings the lines up to date.
-   * @param showsRanges - whether the ranges of all lights are drawn, not of selected ones alone
-   * @param isDragging - whether the gizmo is at work: nothing but transforms changes then
+   * Draws the outline over the picture that was just drawn with the same camera, and updates the lines.
+   * @param showsRanges - whether the ranges of all lights are drawn, not only of selected ones
+   * @param isDragging - whether the gizmo is being dragged: then only transforms change
    */
   render(
     webgl: WebGLRenderer,
@@ -45,7 +45,7 @@ export class SelectionLines {
     drawSelection(this.lines, selectedObjects, lookThrough);
     this.lines.end();
     if (!isDragging) {
-      // an asset that is loaded late may bring other meshes
+      // the meshes of an object change when its asset is loaded
       this.outlineKey = `${selection.changed.revision} ${edited.revision} ${assetsChanged.revision}`;
     }
     this.outline.render(webgl, camera, selectedObjects, this.outlineKey);
@@ -58,7 +58,7 @@ export class SelectionLines {
     this.outline.dispose();
   }
 
-  /** Found anew when the scene may have changed. */
+  /** Rebuilds the ranges when the scene may have changed. */
   private refreshRanges(showsRanges: boolean): void {
     const { scene, edited } = this.document;
     const key = showsRanges ? `${edited.revision} ${scene.time}` : '';

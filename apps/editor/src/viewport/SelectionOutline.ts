@@ -23,7 +23,7 @@ import { drawnMeshes } from './drawnMeshes';
 import fragmentShader from './outline.frag.glsl?raw';
 import vertexShader from './outline.vert.glsl?raw';
 
-/** Largest number of meshes outlined; the mask of more would cost as much as the frame. */
+/** Maximum number of outlined meshes; more would make the mask as expensive as the frame. */
 const MOST_MESHES = 2000;
 
 /** Line width (CSS pixels). */
@@ -36,12 +36,12 @@ const viewport = new Vector4();
 interface Stand {
   readonly mesh: Mesh;
   readonly world: Matrix4;
-  /** The scene's mesh; null where it is one of many instances. */
+  /** The scene's mesh; null for one of many instances. */
   readonly source: Mesh | null;
 }
 
 /**
- * Outline of the selection, visible through other objects. Stand-ins of the selected meshes, which share their geometry
+ * Outline of the selection, visible through other objects. Copies of the selected meshes, which share their geometry
  * and bones, are drawn into a mask, whose edge is drawn over the frame. The scene is not touched.
  */
 export class SelectionOutline {
@@ -87,7 +87,7 @@ export class SelectionOutline {
 
   /**
    * Draws outlines over the frame just rendered with the same camera.
-   * @param objects - outlined with everything below them
+   * @param objects - outlined with their descendants
    * @param key - changes whenever their set of meshes may change
    */
   render(webgl: WebGLRenderer, camera: Camera, objects: readonly GameObject[], key: string): void {

@@ -32,7 +32,7 @@ import type { Shading } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
 
 /**
- * The viewport of the document: canvas, cameras, gizmo, picking and render loop, free of React. Draws when something
+ * The viewport of the document: canvas, cameras, gizmo, picking and render loop, without React. Draws when something
  * changed, each frame while the scene plays, and always when `continuous` is set.
  */
 export class Viewport extends ViewportSettings implements PickSurface, PaneSurface {
@@ -44,7 +44,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   readonly drawn = new Signal();
   /** Emits when GPU times of the last frame are in `farol.info`, some time after it was drawn. */
   readonly timed = new Signal();
-  /** Emits when the viewport's size changes. */
   readonly resized = new Signal();
   /** Emits when the user asks for the menu of shadings. */
   readonly shadingAsked = new Signal();
@@ -73,7 +72,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   private readonly pictureCamera: PictureCamera;
   private readonly place: CanvasPlace;
   readonly loop: FrameLoop;
-  /** Counts of changes in the scene, by which a frame leaves out work on what did not change. */
+  /** Counts of the scene's changes, by which a frame leaves out unneeded work. */
   readonly stamps: SceneStamps;
   private ownPainter: Painter | null = null;
 
@@ -129,7 +128,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
       this.changed.subscribe(this.ask),
       document.opened.subscribe(() => this.sceneOpened()),
       document.structure.subscribe(() => {
-        // a camera that was removed shows nothing
+        // a camera that was removed has no view
         if (this.pictureCamera.isLost) this.lookThrough = null;
       }),
     );
@@ -156,12 +155,12 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.isPlayed ? null : this.pictureCamera.selected;
   }
 
-  /** Whether the scene plays as its players see it: without grid, icons, handles and insets. */
+  /** Whether the scene is shown as to its players: without grid, icons, handles and insets. */
   get isPlayed(): boolean {
     return this.playView.isOn;
   }
 
-  /** The scene's camera that is looked through; null for the editor's own. */
+  /** The scene's camera whose view is shown; null for the editor's own. */
   get lookThrough(): CameraComponent | null {
     return this.pictureCamera.lookThrough;
   }
@@ -171,7 +170,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** Why the camera that is looked through cannot be moved, in a sentence with the remedy; null when it can. */
+  /** Why the shown camera cannot be moved, in a sentence with the remedy; null when it can. */
   get flightProblem(): string | null {
     return this.pictureCamera.problem;
   }
@@ -192,8 +191,8 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   }
 
   /**
-   * Plays the scene, looking through a camera of it until it stops. @param isHere - whether the camera starts at the
-   * editor's view
+   * Plays the scene, showing the view of one of its cameras until it stops. @param isHere - whether the camera starts
+   * at the editor's view
    */
   playThrough(camera: CameraComponent, isHere: boolean): void {
     this.playView.play(camera, isHere ? this.viewed : null);
@@ -215,7 +214,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.panes.bounds;
   }
 
-  /** Whether there are four views: top, front, right and the main one. */
   get isQuad(): boolean {
     return this.panes.isQuad;
   }
@@ -247,7 +245,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return { width, height };
   }
 
-  /** Requests the next frame, and as many more as temporal effects need to converge; objects may have moved. */
+  /** Requests the next frame, and the frames that temporal effects need to converge; objects may have moved. */
   invalidate(): void {
     this.stamps.redraw();
   }
@@ -316,7 +314,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.place.attach(parent);
   }
 
-  /** Removes the canvas from its parent. */
   detach(): void {
     this.place.detach();
   }
@@ -365,7 +362,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.panes.lookFromSides();
   }
 
-  /** Emits `changed` if the technique is another than at the last call. */
+  /** Emits `changed` if the technique differs from that of the last call. */
   private noticeTechnique(): void {
     const { technique } = this.farol;
     if (technique === this.drawnBy) return;
@@ -383,10 +380,10 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.renderNow();
   }
 
-  /** Requests frames of a scene whose objects stay where they are. */
+  /** Requests frames for a change that moves no object. */
   private readonly ask = (): void => this.loop.ask(this.picture.effects.frames);
 
-  /** @returns whether a frame must be drawn because something is moving */
+  /** Advances time. @returns whether a frame must be drawn */
   private advance(seconds: number): boolean {
     const { simulation } = this.document;
     simulation.advance(seconds);

@@ -8,7 +8,7 @@ import type { Gizmo, GizmoMode, GizmoPivot, GizmoSpace } from './Gizmo';
 import type { SnapTarget } from './handles/DragSnap';
 import type { Helpers } from './Helpers';
 
-/** Settings by the object that holds them, under the same names. */
+/** Names of the settings, by the object that stores them. */
 const held = {
   gizmo: ['mode', 'space', 'snapping', 'snapTo', 'alignsToSurface', 'pivot'],
   helpers: ['showGrid', 'showIcons', 'showRanges'],
@@ -47,7 +47,6 @@ export abstract class ViewportSettings {
   declare showColliders: boolean;
   /** Whether every frame is drawn, changed or not, to measure frame rates. */
   declare continuous: boolean;
-  /** Whether frame statistics are shown over the viewport. */
   declare showStatistics: boolean;
   declare view: View;
 

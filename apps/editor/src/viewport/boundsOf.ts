@@ -28,7 +28,7 @@ function expandByObject(target: Box3, object: GameObject): void {
 
 /**
  * World bounds of GameObjects, as of the last drawn frame. Objects without a mesh, such as lights, count as points.
- * @param isDeep - whether everything below them is included
+ * @param isDeep - whether their descendants are included
  */
 export function boundsOf(objects: readonly GameObject[], target = new Box3(), isDeep = true): Box3 {
   target.makeEmpty();

@@ -24,7 +24,7 @@ function drawSphere(lines: LineSet, radius: number, segments = 64): void {
   lines.circle(centre, z, x, segments);
 }
 
-/** Radii of full volume and of audibility of a sound. */
+/** Adds the spheres of a sound's full volume and of its end of audibility. */
 function drawSound(lines: LineSet, source: AudioSource): void {
   if (!source.positional) return;
   centre.setFromMatrixPosition(source.gameObject.object3D.matrixWorld);
@@ -33,8 +33,8 @@ function drawSound(lines: LineSet, source: AudioSource): void {
 }
 
 /**
- * Outline of an area light and an arrow in the direction of its light; a cylinder for a tube. `x`, `y` and `z` hold its
- * axes (unit length); `z` is its front.
+ * Adds the outline of an area light and an arrow in the direction of its light; a cylinder for a tube. `x`, `y` and `z`
+ * hold its axes (unit length); `z` is its front.
  */
 function drawShape(lines: LineSet, { type, width, height }: Light, segments: number): void {
   if (type === 'tube') {
@@ -74,7 +74,8 @@ function drawShape(lines: LineSet, { type, width, height }: Light, segments: num
 }
 
 /**
- * Sphere of a point light, cone of a spot light, arrow of a directional light, outline and range of an area light.
+ * Adds a sphere for a point light, cone of a spot light, arrow of a directional light, outline and range of an area
+ * light.
  * @param segments - per circle
  */
 function drawLight(lines: LineSet, light: Light, segments = 64): void {
@@ -111,7 +112,7 @@ function drawLight(lines: LineSet, light: Light, segments = 64): void {
   }
 }
 
-/** Frustum of a camera, shortened to a small size. */
+/** Adds the frustum of a camera, shortened to a small size. */
 function drawCamera(lines: LineSet, camera: Camera): void {
   const { three } = camera;
   three.updateWorldMatrix(true, false);
@@ -132,7 +133,7 @@ function drawCamera(lines: LineSet, camera: Camera): void {
   });
 }
 
-/** Projection box of a decal, and an arrow in the direction of projection. */
+/** Adds the projection box of a decal, and an arrow in the direction of projection. */
 function drawDecal(lines: LineSet, { gameObject, size }: Decal): void {
   const { matrixWorld } = gameObject.object3D;
   x.fromArray(size).multiplyScalar(0.5);
@@ -145,7 +146,7 @@ function drawDecal(lines: LineSet, { gameObject, size }: Decal): void {
   for (const side of [-tip, tip]) lines.line(to, from.set(side, 0, tip - x.z).applyMatrix4(matrixWorld));
 }
 
-/** Box or ellipsoid of a fog volume. */
+/** Adds the box or ellipsoid of a fog volume. */
 function drawFog(lines: LineSet, { gameObject, shape, size }: FogVolume): void {
   const { matrixWorld } = gameObject.object3D;
   from.fromArray(size).multiplyScalar(0.5);
@@ -169,7 +170,7 @@ export function drawRanges(lines: LineSet, scene: Scene): void {
   for (const light of lights) if (light.isActive) drawLight(lines, light, segments);
 }
 
-/** Number of selected lights up to which all ranges are drawn; more would hide the scene. */
+/** Maximum number of selected lights whose ranges are all drawn; more would hide the scene. */
 const MOST_RANGES = 8;
 
 /**

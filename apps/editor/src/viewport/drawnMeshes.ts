@@ -6,7 +6,7 @@ type Visit = (mesh: Mesh | null, geometry: BufferGeometry, matrixWorld: Matrix4)
 
 /**
  * Visits every mesh that a GameObject draws itself, without its children.
- * @param visit - gets the mesh (null for one of many instances), its geometry, and its world matrix as of the last
+ * @param visit - receives the mesh (null for one of many instances), its geometry, and its world matrix as of the last
  *   drawn frame
  */
 export function drawnMeshes(object: GameObject, visit: Visit): void {

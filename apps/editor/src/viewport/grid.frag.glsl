@@ -1,4 +1,4 @@
-// Grid lines at a step and at ten steps, one pixel wide, fading with distance; the axes in their colours.
+// Grid lines at a step and at ten steps, one pixel wide, fading with distance; the axes are coloured.
 uniform float extent;
 uniform float step;
 uniform vec3 middle;

@@ -1,4 +1,4 @@
-// A large plane round the view's centre: the ground, or in axis-aligned views the plane facing the camera.
+// A large plane around the view's centre: the ground, or in axis-aligned views the plane facing the camera.
 uniform float extent;
 uniform vec3 middle;
 uniform vec3 axisU;

@@ -1,2 +1,2 @@
-/** Whether fingers are the device's first means of pointing. */
+/** Whether touch is the device's primary pointer. */
 export const isTouchScreen = (): boolean => globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;

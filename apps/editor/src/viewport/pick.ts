@@ -8,13 +8,13 @@ export interface PickHit {
   readonly distance: number;
 }
 
-/** Icons up to this much farther away (m) than the mesh at the same point are picked first. */
+/** Icons are picked first unless they are this much farther away (m) than the mesh at the same point. */
 const ICON_REACH = 0.4;
 
 const ownerOf = (hit: Intersection): GameObject | null => gameObjectOf(hit.object, hit.instanceId);
 
 /**
- * The GameObject whose mesh is visible at a point; locked objects are looked through.
+ * The GameObject whose mesh is visible at a point; locked objects are ignored.
  * @param point - normalised device coordinates, -1 to 1, y up
  */
 export function pick(scene: Scene, camera: Camera, point: Vector2): PickHit | null {
@@ -24,6 +24,6 @@ export function pick(scene: Scene, camera: Camera, point: Vector2): PickHit | nu
   return object ? { object, distance: hit.distance } : null;
 }
 
-/** The picked object of an icon and a mesh at one point: the icon's unless it lies well behind the mesh. */
+/** The GameObject picked at a point with an icon and a mesh: the icon's, unless it lies well behind the mesh. */
 export const iconOrMesh = (icon: PickHit | null, mesh: PickHit | null): GameObject | null =>
   (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH) ? icon : mesh)?.object ?? null;

@@ -9,7 +9,7 @@ const point = new Vector2();
 /**
  * The GameObjects whose centre is inside a box on screen: active, unlocked meshes, models, lights and cameras, in tree
  * order.
- * @param corners - of the box, in normalised device coordinates
+ * @param corners - corners of the box, in normalised device coordinates
  */
 export function pickBox(scene: Scene, camera: ThreeCamera, corners: Vector2[]): GameObject[] {
   const box = new Box2().setFromPoints(corners);

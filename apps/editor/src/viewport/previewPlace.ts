@@ -1,16 +1,16 @@
-/** Height of the small picture (CSS pixels), and its largest width. */
+/** Maximum height and width of a camera's inset (CSS pixels). */
 const HEIGHT = 130;
 const WIDEST = 260;
 const MARGIN = 10;
 
-/** Rectangle of a camera's small picture, from the right lower corner of the large one (CSS pixels). */
+/** Size of a camera's inset, and its distance from the viewport's lower right corner (CSS pixels). */
 export interface PreviewPlace {
   readonly width: number;
   readonly height: number;
   readonly margin: number;
 }
 
-/** The place of a camera's small picture in a picture of a size (CSS pixels), by the form that the camera is given. */
+/** Place of a camera's inset in a viewport, with the same aspect ratio (CSS pixels). */
 export function previewPlace(width: number, height: number): PreviewPlace {
   const small = Math.min(HEIGHT, height / 3);
   return { width: Math.round(Math.min(WIDEST, (small * width) / height)), height: Math.round(small), margin: MARGIN };

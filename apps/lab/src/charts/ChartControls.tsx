@@ -16,7 +16,7 @@ interface Props {
   onChange: (settings: ChartSettings) => void;
 }
 
-/** Settings of all charts: the metric, the axes, the competitors; and the line of each run. */
+/** Settings of all charts: metric, axes and competitors, and the key to each run's lines. */
 export function ChartControls({ runs, names, competitors, settings, onChange }: Props) {
   const { metric, scale, hidden } = settings;
   const toggle = (name: string): void => {

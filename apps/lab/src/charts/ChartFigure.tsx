@@ -12,7 +12,7 @@ const REACH = 48;
 
 interface Props {
   chart: ChartSpec;
-  /** Origin of the figures, for files. */
+  /** Device, browser and date of the figures, for saved files. */
   source: string;
   onChoose: (index: number) => void;
 }
@@ -83,7 +83,7 @@ function ChartDrawing({ chart }: { chart: ChartSpec }) {
     canvas.current!.innerHTML = `<svg width="${width}" height="${height}" ${style} aria-hidden="true">${svg}</svg>`;
     points.current = drawn.points;
     host.current!.dataset.drawn = '';
-    // the chosen point may have moved
+    // the chosen point may have moved in the new drawing
     setCurrent((old) => {
       const same = drawn.points.find(({ group, order }) => group === old?.point.group && order === old.point.order);
       return old && same ? { ...old, point: same } : null;

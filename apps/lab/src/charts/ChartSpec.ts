@@ -4,7 +4,7 @@ import type { ChartPaint } from './chartPaint';
 /** Settings that hold for all charts of the page. */
 export interface ChartSettings {
   readonly metric: Metric;
-  /** Axes of times and of values. */
+  /** Type of the axes for times and for the series' values. */
   readonly scale: 'log' | 'linear';
   /** Keys of competitors that are left out. */
   readonly hidden: ReadonlySet<string>;
@@ -24,9 +24,9 @@ export interface ChartTip {
 export interface ChartPoint {
   readonly x: number;
   readonly y: number;
-  /** Line or row that the left and right arrow keys walk. */
+  /** Line or row within which the left and right arrow keys move. */
   readonly group: string;
-  /** Index within the group; points of one order in several groups stand above one another. */
+  /** Index within the group; up and down arrow keys move between points of equal order. */
   readonly order: number;
   readonly tip: ChartTip;
 }
@@ -63,19 +63,19 @@ export interface ChartChoice {
 
 /** One chart: its figures, and how they are drawn. */
 export interface ChartSpec {
-  /** Unique among the charts of a run, lower-kebab: also the name of its file. */
+  /** Unique key among the charts of a run, lower-kebab; also the name of its file. */
   readonly key: string;
   readonly title: string;
-  /** Contents and axes of the drawing, read aloud to those who do not see it. */
+  /** Contents and axes of the drawing, for screen readers. */
   readonly description: string;
-  /** Legend in words, and missing figures with reasons; shown smaller. */
+  /** Legend in words, and reasons of missing figures; in small type. */
   readonly notes?: readonly string[];
   readonly table: ChartTable;
-  /** Keys of the competitors whose marks the legend of a file explains. */
+  /** Keys of the competitors whose marks are explained in the legend of a saved file. */
   readonly legend?: readonly string[];
-  /** Colours that mean something else than a competitor. */
+  /** Legend of colours that do not stand for competitors. */
   readonly keys?: readonly { readonly label: string; readonly colour: (paint: ChartPaint) => string }[];
-  /** Names of the runs by kind of line, if there are several. */
+  /** Names of the runs, in the order of their line styles, when there are several. */
   readonly runs?: readonly string[];
   readonly choice?: ChartChoice | null;
   draw(options: DrawOptions): DrawnChart;

@@ -10,7 +10,7 @@ import { competitorOrder } from './competitorMarks';
 import { runNames, sourceOf } from './runNames';
 import './charts.css';
 
-/** All charts of one run, or of several in common charts. */
+/** All charts of one run, or of several runs together. */
 export function RunCharts({ runs, metric = 'frame' }: { runs: readonly LabRun[]; metric?: Metric }) {
   const [settings, setSettings] = useState<ChartSettings>({ ...defaultSettings, metric });
   const charts = useMemo(() => chartsOf(runs, settings), [runs, settings]);

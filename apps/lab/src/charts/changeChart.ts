@@ -16,7 +16,7 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
     const rows = run.rows.filter((row) => row.series === series.name && row.index === index && hasChange(row));
     return rows.length > 0 ? [{ label, rows }] : [];
   });
-  // every run measures first frames: alone they make no chart
+  // only added lights and changed techniques make a chart: first frames are in every run
   if (!cases.some(({ rows }) => rows.some(({ added, changed }) => added !== null || changed !== null))) return null;
   const selected = Math.min(settings.cases[key] ?? cases.length - 1, cases.length - 1);
   const { label } = cases[selected];
@@ -85,13 +85,13 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
   };
 }
 
-/** Times of the three changes in their order, null where one was not measured. */
+/** Times of the three changes in order; null for one that was not measured. */
 function timesOf(row: LabRow): ({ ms: number; programs: number | null } | null)[] {
   const first = row.firstMs !== null && row.firstMs > 0 ? { ms: row.firstMs, programs: null } : null;
   return [first, changeOf(row.added), changeOf(row.changed)];
 }
 
-/** A change that took a time; null if it was not measured. */
+/** A change that has a time; null when it was not measured. */
 function changeOf(change: Change | null): Change | null {
   return change !== null && Number.isFinite(change.ms) && change.ms > 0 ? change : null;
 }

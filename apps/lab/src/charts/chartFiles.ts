@@ -10,7 +10,7 @@ export interface ChartFile {
   readonly svg: string;
 }
 
-/** All charts of a run as files; one for each option of a choice that says so. Needs no browser. */
+/** All charts of a run as files; one for each option of a choice with `exportsAll`. Needs no browser. */
 export function chartFiles(run: LabRun): ChartFile[] {
   return chartsOf([run], defaultSettings).flatMap(({ key, choice, ...chart }) => {
     const source = sourceOf([run]);

@@ -1,8 +1,8 @@
 /**
- * A picture of an SVG file.
+ * A PNG of an SVG file.
  *
  * @param svg - text of the file, with width and height in pixels
- * @param scale - pixels of the picture for one of the file; 2 by default
+ * @param scale - pixels of the PNG per pixel of the file; 2 by default
  * @throws Error when the browser cannot draw or encode the file
  */
 export async function chartPNG(svg: string, scale = 2): Promise<Blob> {

@@ -3,11 +3,11 @@ import { competitorMark, competitorMarks } from './competitorMarks';
 /** Colours of a chart, as CSS values. */
 export interface ChartPaint {
   readonly text: string;
-  /** Secondary text. */
+  /** Colour of secondary text. */
   readonly dim: string;
   readonly grid: string;
   readonly background: string;
-  /** Text over a filled bar or cell. */
+  /** Colour of text over a filled bar or cell. */
   readonly over: string;
   competitor(name: string): string;
   /** Colour of an item of a list, such as a pass of a frame; eight colours, then again from the first. */
@@ -23,7 +23,7 @@ const colours: Readonly<Record<'text' | 'dim' | 'grid' | 'background' | 'over', 
   over: ['#ffffff', '#101216'],
 };
 
-/** Kinds of line (`stroke-dasharray`) by index of the run: the first solid, others dashed. */
+/** Line styles (`stroke-dasharray`) by index of the run: solid for the first one, dashed for others. */
 export const runDashes: readonly (string | undefined)[] = [undefined, '7 4', '2 4', '10 3 2 3'];
 
 const shades = [
@@ -37,7 +37,7 @@ const shades = [
   ['#626873', '#a6adba'],
 ] as const;
 
-/** Colours of one theme: files have no custom properties. */
+/** Colours of one theme, as literal values, since files have no custom properties. */
 export function paintOf(theme: 'light' | 'dark'): ChartPaint {
   const side = theme === 'light' ? 0 : 1;
   return {
@@ -51,7 +51,7 @@ export function paintOf(theme: 'light' | 'dark'): ChartPaint {
   };
 }
 
-/** Colours of the page: custom properties, so that a chart follows the theme without being drawn anew. */
+/** Colours of the page, as custom properties, so that charts follow the theme without being redrawn. */
 export const pagePaint: ChartPaint = {
   text: 'var(--chart-text)',
   dim: 'var(--chart-dim)',

@@ -13,17 +13,17 @@ export interface ChartFileOptions {
   readonly source?: string;
 }
 
-/** Marks with words, in a row of the legend. */
+/** Marks with text, in a row of the legend. */
 interface LegendItem {
   readonly words: string;
   readonly mark: string;
-  /** Pixels from the mark's left edge to the words. */
+  /** Distance from the mark's left edge to the text (pixels). */
   readonly indent: number;
 }
 
 const PAD = 24;
 
-/** A chart as an SVG file with its colours, title, legend and notes, in the reader's own fonts. Needs no browser. */
+/** A chart as an SVG file with its colours, title, legend and notes, in the system's fonts. Needs no browser. */
 export function chartSVG(
   chart: ChartSpec,
   { width = 960, theme = 'light', source = '' }: ChartFileOptions = {},

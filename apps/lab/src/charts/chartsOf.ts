@@ -11,7 +11,7 @@ import { ratioChart } from './ratioChart';
 import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
-/** Charts of a single run; the ending of their keys tells runs apart. */
+/** Kinds of charts that show a single run; for several runs the ending of their keys tells the run. */
 const kinds: readonly ((
   run: LabRun,
   settings: ChartSettings,
@@ -30,8 +30,8 @@ function listed(chart: ChartSpec | null): ChartSpec[] {
 }
 
 /**
- * All charts of one or several runs, in the order of the page: ratios to the first run, curves, the rest. Curves of later
- * runs lie over those of the first with the same series name; of the other charts each run has its own.
+ * All charts of one or several runs, in the order of the page: ratios to the first run, curves, the rest. Curves of
+ * series with the same name are drawn in one chart for all runs; other charts are drawn for each run.
  */
 export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): ChartSpec[] {
   const visible = runs.map((run) => withoutHidden(run, settings.hidden));
@@ -53,7 +53,7 @@ export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): Char
   return [...ratios, ...seriesOf(visible).map((series) => curveChart(visible, series, settings)), ...single];
 }
 
-/** Series of all runs by name, each as planned by the first run that has it. */
+/** Series of all runs, one for each name, as planned by the first run that has it. */
 function seriesOf(runs: readonly LabRun[]): LabSeries[] {
   const byName = new Map<string, LabSeries>();
   for (const { plan } of runs) {

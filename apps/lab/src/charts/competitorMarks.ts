@@ -2,7 +2,7 @@ import { competitorNames } from '../competitors/competitorNames';
 import type { MarkSymbolName } from './competitorSymbol';
 
 export interface CompetitorMark {
-  /** Colour on a light and on a dark background, 3:1 against it at least. */
+  /** Colours on a light and on a dark background, with a contrast of at least 3:1. */
   readonly light: string;
   readonly dark: string;
   /** Symbol of its points: unique together with `hollow`. */

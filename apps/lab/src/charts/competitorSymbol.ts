@@ -9,7 +9,7 @@ interface MarkSymbol {
 }
 
 const turn = Math.PI * 2;
-/** Corners on a circle, or in turn on circles of several radii. */
+/** Corners on a circle, or alternately on circles of several radii. */
 const corners = (count: number, start: number, radii: readonly number[]): number[] =>
   Array.from({ length: count }, (_, i) => {
     const angle = start + (i / count) * turn;

@@ -52,19 +52,19 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
   };
 }
 
-/** Title of a series of one case: scene and value. The size, which follows, is the value of pixels. */
+/** Title of a series of one case: scene and value, unless the value is the picture's size, which follows anyway. */
 function caseText(series: LabSeries): string {
   return series.axis === 'pixels'
     ? seriesWord(series)
     : `${seriesWord(series)}, ${valueText(series.axis, series.values[0])}`;
 }
 
-/** Whether every run planned one and the same case alone. */
+/** Whether all runs planned only one case, the same. */
 function isOneCase(curves: readonly Curve[]): boolean {
   return new Set(curves.flatMap((curve) => curve.series.values)).size === 1;
 }
 
-/** Competitors without a figure in the whole series, by reason. */
+/** Competitors without any figure in the series, grouped by reason. */
 function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): string[] {
   const without = new Map<string, Set<string>>();
   for (const run of runs) {
@@ -83,9 +83,9 @@ function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): st
   });
 }
 
-/** Pixels of the pictures, as `1280 × 720`; empty if the series has several sizes. */
+/** Size of the pictures, as `1280 × 720`; empty if the series has several sizes. */
 function sizeText(cases: readonly LabCase[]): string {
-  // no-break spaces: a line never ends within a size
+  // no-break spaces, so that a line does not end within a size
   const sizes = new Set(cases.map(({ width, height }) => `${width}\u00a0×\u00a0${height}`));
   return sizes.size === 1 ? [...sizes][0] : '';
 }

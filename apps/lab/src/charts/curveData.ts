@@ -20,10 +20,10 @@ export interface Curve {
   readonly run: number;
   /** The series as that run planned it: another run may have other values. */
   readonly series: LabSeries;
-  /** Runs of points; a case without a time parts two of them. */
+  /** Connected parts of the curve; a case without a time separates two of them. */
   readonly pieces: readonly (readonly CurvePoint[])[];
   readonly points: readonly CurvePoint[];
-  /** Reason, a sentence, why the curve ends before the last case; null if it reaches it or the run has no reason. */
+  /** Reason, a sentence, why the curve ends before the last case; null if it does not, or the run tells no reason. */
   readonly end: string | null;
 }
 

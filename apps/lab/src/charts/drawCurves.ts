@@ -18,7 +18,7 @@ interface Place {
   readonly y: Scale;
 }
 
-/** Curves with bands of spread; names stand beside the ends of the lines if there is room. */
+/** Draws curves with bands of spread; names are beside the ends of the lines if there is space. */
 export function drawCurves(
   series: LabSeries,
   curves: readonly Curve[],
@@ -114,7 +114,7 @@ function linesOf({ pieces, competitor, run }: Curve, stroke: string, { x, y }: P
   );
 }
 
-/** Spreads as vertical lines: names along an axis have no order, so no line leads from one to the next. */
+/** Spreads as vertical lines, for axes of names: names have no order, so points are not connected. */
 function rangesOf({ points }: Curve, stroke: string, { x, y }: Place): string[] {
   return points.map(({ value, low, high }) =>
     tag('path', {
@@ -169,7 +169,7 @@ function endLabels(
   });
 }
 
-/** Bounds of the times (ms) with a margin; a spread far from its median is cut, since it would squeeze the rest. */
+/** Bounds of the times (ms) with a margin; a spread far from its median is cut off, or curves would look flat. */
 function timeBounds(curves: readonly Curve[], kind: 'log' | 'linear'): { low: number; high: number } {
   const points = curves.flatMap((curve) => curve.points);
   const medians = points.map(({ median }) => median);
@@ -178,7 +178,7 @@ function timeBounds(curves: readonly Curve[], kind: 'log' | 'linear'): { low: nu
   return kind === 'log' ? { low: lowest * 0.85, high: highest * 1.15 } : { low: 0, high: highest * 1.05 };
 }
 
-/** The scale of a series' values; one value alone stands in the middle. */
+/** The scale of a series' values; a single value is in the middle. */
 function valueScale(
   { axis }: LabSeries,
   values: readonly number[],

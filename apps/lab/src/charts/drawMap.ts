@@ -7,9 +7,9 @@ import type { MapCell, WinnerMap } from './winnerMap';
 
 const TOP = 40;
 
-/** The fastest of each case: a cell coloured by the winner, with a strip below for those that tie with it. */
+/** Draws the fastest of each case: a cell coloured by the winner, with a strip below for those that tie with it. */
 export function drawMap(map: WinnerMap, { width, paint }: DrawOptions): DrawnChart {
-  // columns become rows if they are many on a narrow screen
+  // columns are drawn as rows if there are many and the screen is narrow
   const isTurned = map.columns.length > map.rows.length && (width - 120) / map.columns.length < 64;
   const [columns, rows] = isTurned ? [map.rows, map.columns] : [map.columns, map.rows];
   const [columnTitle, rowTitle] = isTurned ? [map.rowTitle, map.columnTitle] : [map.columnTitle, map.rowTitle];

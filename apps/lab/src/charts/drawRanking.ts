@@ -6,7 +6,7 @@ import type { Curve } from './curveData';
 import { type ChartRow, drawRows, type RowBar } from './drawRows';
 import { rowTip } from './rowTip';
 
-/** Bars of a series of one case, the shortest time first, in place of curves of one point. */
+/** Bars of a series with a single case, shortest time first, in place of curves of one point. */
 export function drawRanking(
   curves: readonly Curve[],
   runNames: readonly string[],

@@ -10,12 +10,12 @@ export interface RowBar {
   readonly from: number;
   readonly to: number;
   readonly fill: (paint: ChartPaint) => string;
-  /** 0 to 1, less than 1 for background or what is within the spread; default 1. */
+  /** Opacity, 0 to 1; less than 1 for backgrounds and spreads. Default 1. */
   readonly opacity?: number;
   /** Index of the lane within the row, from the top. */
   readonly lane: number;
   readonly tip: ChartTip;
-  /** Text behind the bar's end; `shortText` replaces it in charts narrower than 520 pixels. */
+  /** Text after the bar's end; `shortText` replaces it in charts narrower than 520 pixels. */
   readonly text?: string;
   readonly shortText?: string;
 }
@@ -28,7 +28,7 @@ export interface RowMark {
   readonly tip: ChartTip;
 }
 
-/** A row of a chart: bars and symbols along the axis; none if there are no figures. */
+/** A row of a chart: bars and symbols along the axis; neither without figures. */
 export interface ChartRow {
   readonly label: string;
   /** Whether the row is the title of the rows below. */
@@ -47,7 +47,7 @@ export interface RowsChart {
   readonly lanes: number;
   readonly type: 'log' | 'linear';
   readonly domain: readonly [number, number];
-  /** Values of the axis' ticks by the most that fit; round ones by default. */
+  /** Returns the values of at most `most` ticks; round ones by default. */
   readonly ticks?: (most: number) => readonly number[];
   readonly label: string;
   readonly format: (value: number) => string;
@@ -55,7 +55,7 @@ export interface RowsChart {
   readonly rules?: readonly number[];
 }
 
-/** Rows of bars and symbols, their labels on the left. */
+/** Draws rows of bars and symbols, with labels on the left. */
 export function drawRows(chart: RowsChart, { width, paint }: DrawOptions): DrawnChart {
   const { rows, lanes, type, domain, label, format } = chart;
   const lane = lanes === 1 ? 15 : 10;
@@ -122,7 +122,7 @@ export function drawRows(chart: RowsChart, { width, paint }: DrawOptions): Drawn
   return { height: area.height, svg, points };
 }
 
-/** A row's label, cut to its place, with the competitor's symbol before it. */
+/** A row's label, shortened to fit, after the competitor's symbol. */
 function labelOf(
   { label, isHeading = false, competitor }: ChartRow,
   y: number,

@@ -8,13 +8,13 @@ import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
 
-/** Maximum number of passes with a colour each, the longest ones; the rest is summed. */
+/** Maximum number of passes with their own colour, the longest ones; others are summed. */
 const MOST = 7;
 const REST = 'other passes';
 
 /**
  * Bars by pass of each technique in one case; null if no passes were measured.
- * @param runs - runs of the page: a pass has one colour in the charts of all of them
+ * @param runs - all runs of the page, so that a pass has the same colour in each chart
  */
 export function passChart(
   run: LabRun,
@@ -90,7 +90,7 @@ export function passChart(
   };
 }
 
-/** Names of the longest passes in the order in which they are drawn, and one for all others. */
+/** Names of the longest passes in drawing order, then a name for all others. */
 function passNames(rows: readonly LabRow[]): string[] {
   const longest = new Map<string, number>();
   for (const row of rows) {
@@ -109,7 +109,7 @@ function passNames(rows: readonly LabRow[]): string[] {
   return [...[...longest.keys()].filter((name) => kept.has(name)), REST];
 }
 
-/** Milliseconds of all passes of a row; those that are no numbers count as 0. */
+/** Sum of a row's pass times (ms); invalid times count as 0. */
 export function passTotal(row: LabRow): number {
   return (row.passes?.passes ?? []).reduce((sum, { ms }) => sum + (Number.isFinite(ms) ? ms : 0), 0);
 }

@@ -10,7 +10,7 @@ import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
 import { logTicks } from './scales';
 
-/** Times of one run over those of another by competitor; null if they have no case in common. */
+/** Ratios of a run's times to another run's, by competitor; null if they have no case in common. */
 export function ratioChart(
   [base, baseName]: readonly [LabRun, string],
   [run, name]: readonly [LabRun, string],
@@ -82,7 +82,7 @@ export function ratioChart(
   };
 }
 
-/** Ticks with 1 among them, closer together if the ratios are close. */
+/** Ticks that include 1, closer together for ratios near 1. */
 function ratioTicks([low, high]: readonly [number, number], most: number): number[] {
   const ticks = logTicks(low, high, most);
   if (ticks.length > 2) return ticks;

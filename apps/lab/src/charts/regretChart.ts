@@ -9,19 +9,19 @@ import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
 
-/** Loss of `auto` in a case against the best technique. */
+/** Loss of `auto` in a case, compared with the best technique. */
 interface Regret {
   readonly of: SeriesCase;
   readonly auto: Entry;
   readonly best: Entry;
-  /** Technique that `auto` chose; null if the run does not tell. */
+  /** Technique that `auto` chose; null if the run does not record it. */
   readonly choice: string | null;
-  /** `auto`’s time over the best technique’s, less 1: 0.05 for 5% longer. Below 0 where noise favours `auto`. */
+  /** `auto`’s time over the best technique’s, less 1: 0.05 for 5% longer. Negative when noise favours `auto`. */
   readonly regret: number;
   readonly isTie: boolean;
 }
 
-/** `auto` against the best of Farol’s techniques, in each case that both drew. */
+/** Losses of `auto` against the best of Farol’s techniques, in each case that both drew. */
 export function regretsOf(run: LabRun, metric: Metric): Regret[] {
   return casesOf(run).flatMap((of) => {
     const entries = entriesOf(run, of.series, of.index, metric);

@@ -6,14 +6,14 @@ import { formatBytes, formatMs, formatNumber } from '../words/format';
 import { competitorLabel, competitorWord, metricWords, valueText } from '../words/names';
 import type { ChartTip } from './ChartSpec';
 
-/** Figures of a row as the note at its point. */
+/** Text of the note at a point: the figures of its row. */
 export function rowTip(row: LabRow, series: LabSeries, metric: Metric, runName = ''): ChartTip {
   const value = valueText(series.axis, series.values[row.index], series.cases[row.index]);
   const title = `${competitorLabel(row.competitor)}, ${value}${runName ? ` (${runName})` : ''}`;
   return { title, lines: rowLines(row, metric) };
 }
 
-/** Times, likeness of the picture, counts and warnings. */
+/** Lines of the note: times, likeness of the picture, counts and warnings. */
 function rowLines(row: LabRow, metric: Metric): string[] {
   if (row.problem !== null) return [t(row.problem)];
   const time = timeOf(row, metric);

@@ -18,7 +18,7 @@ export function runNames(runs: readonly LabRun[]): string[] {
   });
 }
 
-/** One line on where and when runs were made, with their warnings. */
+/** Device, browser and date of runs in one line, with their warnings. */
 export function sourceOf(runs: readonly LabRun[]): string {
   const lines = runs.map(({ surroundings: { device, browser, system, date, build, warnings } }) =>
     [

@@ -6,7 +6,7 @@ import { namedValue } from '../words/names';
 /** Maps a value of an axis to pixels. */
 export type Scale = (value: number) => number;
 
-/** Scales of an axis; `symlog` is logarithmic with 0 on it: log(1 + value). */
+/** Types of scales; `symlog` is logarithmic but includes 0: log(1 + value). */
 export type ScaleType = 'log' | 'linear' | 'symlog';
 
 const transforms: Readonly<Record<ScaleType, Scale>> = {
@@ -58,7 +58,7 @@ export function logTicks(low: number, high: number, most = 10): number[] {
   return Array.from({ length: most }, (_, i) => 10 ** (power + i * stride)).filter((tick) => tick <= high * 1.001);
 }
 
-/** Ticks, of ascending ones, whose texts do not overlap, `room` pixels apart; the last one always stays. */
+/** Selects ticks whose texts do not overlap at `room` pixels each; the last tick is always kept. Values must ascend. */
 export function ticksWithRoom(values: readonly number[], place: Scale, room: number): number[] {
   const kept: number[] = [];
   const last = values.at(-1);

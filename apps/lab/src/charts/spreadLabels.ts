@@ -1,8 +1,8 @@
 /**
  * Moves labels apart along one direction, keeping their order, as little as possible.
  *
- * @param ideal - places without overlap in mind (pixels), in any order
- * @param gap - smallest distance of two labels
+ * @param ideal - preferred places (pixels), in any order, which may overlap
+ * @param gap - smallest distance between labels
  * @returns a place for each, in the order given; null if they do not all fit between `low` and `high`
  */
 export function spreadLabels(ideal: readonly number[], gap: number, low: number, high: number): number[] | null {

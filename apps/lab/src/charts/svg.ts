@@ -8,7 +8,7 @@ export function tag(name: string, attributes: Attributes, ...children: readonly 
   return `<${name}${written.join('')}>${children.join('')}</${name}>`;
 }
 
-/** An SVG element that holds words. */
+/** An SVG element with text content. */
 export function textTag(words: string, attributes: Attributes, name = 'text'): string {
   return tag(name, attributes, escaped(words));
 }
@@ -17,12 +17,12 @@ function escaped(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');
 }
 
-/** Numbers with two decimals at most: a hundredth of a pixel is not seen. */
+/** Rounds numbers to hundredths of a pixel, which are invisible. */
 function rounded(value: string | number): string {
   return typeof value === 'number' ? String(Math.round(value * 100) / 100) : value;
 }
 
-/** Approximate width (pixels) of a text in the system's font: needs no layout, so files and the page get the same. */
+/** Approximate width (pixels) of a text in the system's font: computed without layout, so that files equal the page. */
 export function textWidth(text: string, size = 12): number {
   let units = 0;
   for (const letter of text)
@@ -30,7 +30,7 @@ export function textWidth(text: string, size = 12): number {
   return Math.ceil(units * size);
 }
 
-/** A text cut to a width (pixels); empty if not even three letters fit. */
+/** A text shortened to a width (pixels); empty if not even three letters fit. */
 export function fittedText(text: string, room: number, size = 12): string {
   if (textWidth(text, size) <= room) return text;
   for (let length = text.length - 1; length >= 3; length--) {

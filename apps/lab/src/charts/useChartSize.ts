@@ -2,8 +2,8 @@ import { useEffect, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
 
 /**
- * Width of an element (CSS pixels), and whether it is within 400 pixels of the visible part of the page: charts farther away
- * are drawn when they are scrolled to, or printed.
+ * Width of an element (CSS pixels), and whether it is within 400 pixels of the visible part of the page: charts farther
+ * away are drawn once scrolled into view, or printed.
  */
 export function useChartSize(element: RefObject<HTMLElement | null>): { width: number; isNear: boolean } {
   const [width, setWidth] = useState(0);

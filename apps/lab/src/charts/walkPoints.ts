@@ -12,10 +12,10 @@ export function nearestPoint(points: readonly ChartPoint[], x: number, y: number
 }
 
 /**
- * Next point for an arrow key: left and right within a group, up and down to the next point of other groups with the same
- * order, Home and End to a group's ends.
+ * Next point for an arrow key: left and right within a group, up and down to the next point of other groups with the
+ * same order, Home and End to a group's ends.
  *
- * @param current - the chosen point; null for none: the first point is next
+ * @param current - the chosen point; null for none, after which comes the first point
  * @returns undefined for any other key
  */
 export function walkPoints(

@@ -27,8 +27,8 @@ export interface WinnerMap {
 }
 
 /**
- * Maps of a run: lights by pixels for each scene measured at several of both, otherwise series by values of one axis. Maps
- * with fewer than two cases of several competitors are left out.
+ * Maps of a run: lights by pixels for each scene with several values of both; otherwise series by values of one axis.
+ * Maps with fewer than two cases of several competitors are left out.
  */
 export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
   const cases = casesOf(run);
@@ -57,7 +57,7 @@ export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
   }
   const rest = cases.filter((each) => !placed.has(each));
   for (const group of groupBy(rest, ({ series }) => series.axis).values()) maps.push(bySeries(run, group, metric));
-  // a case that one competitor drew alone has no winner
+  // a case that only one competitor drew has no winner
   const isContest = ({ winners }: MapCell): boolean => winners !== null && winners.entries.length > 1;
   return maps.filter(({ cells }) => cells.filter(isContest).length > 1);
 }

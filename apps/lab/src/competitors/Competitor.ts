@@ -3,7 +3,7 @@ import type { StageScene } from '../stage/StageScene';
 
 /** Canvas of a competitor that has been made ready to draw one case of a run. */
 export interface Drawing {
-  /** Context whose frames are awaited and timed; null with WebGPU. */
+  /** Context for waits and timer queries; null with WebGPU. */
   readonly gl: WebGL2RenderingContext | null;
   /** Draws the scene into the canvas. */
   render(): void;
@@ -12,27 +12,27 @@ export interface Drawing {
    * the picture is complete.
    */
   drawFirst?(): Promise<void>;
-  /** Whether the competitor already draws by the technique that it has chosen; frames before that are not timed. */
+  /** Whether the competitor draws by the technique of its choice already; earlier frames are not timed. */
   isSettled?(): boolean;
-  /** @throws Error that names a failure while drawing, such as a shader that does not compile */
+  /** Checks for failures. @throws Error naming a failure while drawing, such as a shader that does not compile */
   check?(): void;
-  /** Waits until everything is drawn; missing if reading a pixel of `gl` does that. */
+  /** Waits until everything is drawn; absent if reading a pixel of `gl` does that. */
   finish?(): Promise<void>;
   /** Called after lights were added to or removed from `StageScene.lights`. */
   lightsChanged?(): void;
   /** Called within the timed call, before a frame, after the positions of `StageScene.lights` changed. */
   lightsMoved?(): void;
-  /** Reads the picture drawn in this task, 8-bit sRGB, top row first; missing if a 2D canvas can read it. */
+  /** Reads the picture drawn in this task, 8-bit sRGB, top row first; absent if a 2D canvas can read it. */
   readPicture?(): Promise<ImageData>;
   /** Number of lights that the competitor leaves out. */
   dropped?(): number;
   technique?(): { name: string; reason: string };
   targetBytes?(): number;
-  /** Times of the passes of the last frames (ms). */
+  /** Times of the passes in recent frames (ms). */
   passes?(): { kind: 'gpu' | 'cpu'; passes: { name: string; ms: number }[] } | null;
-  /** Switches the timing of passes, which costs timer queries. */
+  /** Switches the timing of passes, which slows frames by timer queries. */
   setPassTimes?(on: boolean): void;
-  /** Changes to another technique; missing if there is none. @returns a function that changes back */
+  /** Changes to another technique; absent if there is none. @returns a function that changes back */
   leaveTechnique?(): () => void;
   /** Frees its resources; the stage loses the context. */
   dispose(): void;
@@ -40,7 +40,7 @@ export interface Drawing {
 
 /** Properties of a case for which a competitor may refuse it. */
 export interface RefusableScene {
-  /** Number of lights with an object each. */
+  /** Number of lights that have an object each. */
   readonly lights: number;
   readonly shadows: number;
   /** Kind of the moving lights. */
@@ -57,11 +57,12 @@ export interface Competitor {
   readonly help: string;
   /** `farol`: by FarolRenderer; `three`: three's own renderers; `rival`: other engines, installed on demand. */
   readonly kind: 'farol' | 'three' | 'rival';
-  /** Reason, a sentence, why it cannot draw on this browser or device; null if it can. */
+  /** Reason, a sentence, why the competitor cannot draw on this browser or device; null if it can. */
   unavailable(): Promise<string | null>;
-  /** Reason, a sentence, why it cannot draw a case, such as too many lights for its uniforms; null if it can. */
+  /** Reason, a sentence, why the competitor cannot draw a case, such as too many lights; null if it can. */
   refuses(scene: RefusableScene): string | null;
   /**
+   * Opens the competitor for a case.
    * @param longest - limit of the first frame (ms)
    * @throws Error that names what failed
    */

@@ -7,15 +7,15 @@ export interface ClusterGrid {
   readonly height: number;
   /** Side of a tile (pixels). */
   readonly tile: number;
-  /** Slices along the depth, whose far ends grow by a constant factor. */
+  /** Number of slices in depth, whose far ends grow by a constant factor. */
   readonly slices: number;
 }
 
 /** Load of the clusters of a scene. */
 export interface ClusterFill {
-  /** Lights of the fullest cluster. */
+  /** Number of lights in the fullest cluster. */
   readonly fullest: number;
-  /** Lights missing in some cluster within their range because of `limit`. */
+  /** Number of lights that some cluster within their range lacks because of `limit`. */
   readonly dropped: number;
 }
 
@@ -26,10 +26,10 @@ export interface Reach {
 }
 
 /**
- * Counts the lights of each cluster by the rule of the ClusteredLighting addon: spheres against the bounds of clusters in
- * view space, lists filled from the farthest light on.
+ * Counts the lights of each cluster by the rule of the ClusteredLighting addon: spheres against the bounds of clusters
+ * in view space, lists filled with the farthest lights first.
  *
- * @param limit - most lights of a cluster
+ * @param limit - maximum number of lights in a cluster
  */
 export function clusterFill(
   lights: readonly Reach[],
@@ -75,7 +75,7 @@ export function clusterFill(
   return { fullest, dropped };
 }
 
-/** Distance of a number from a range; 0 within it. */
+/** Distance of a number from an interval; 0 inside. */
 const outside = (value: number, low: number, high: number): number => Math.max(low - value, value - high, 0);
 
 /** Extent in view space of a range of normalised device coordinates, between two depths. */

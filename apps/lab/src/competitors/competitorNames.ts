@@ -1,8 +1,8 @@
 import { type TechniqueName, techniques } from '@farol/renderer';
 
 /**
- * Texts and maker of a competitor. This module runs when the page is built (`valueModules`): the page has its values, the
- * code of competitors is in `stage.html`.
+ * Texts and kind of a competitor. This module runs when the page is built (`valueModules`): the page contains only its
+ * values; the code of competitors is in `stage.html`.
  */
 export interface CompetitorWords {
   readonly label: string;
@@ -10,7 +10,7 @@ export interface CompetitorWords {
   readonly kind: 'farol' | 'three' | 'rival';
 }
 
-/** Short name of a technique: its label if that spells the key, otherwise the key. */
+/** Short name of a technique: its label when key and label have the same words, otherwise the key. */
 function shortName(key: string, label: string): string {
   const letters = label
     .toLowerCase()

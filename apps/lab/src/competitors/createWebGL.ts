@@ -5,7 +5,7 @@ import type { StageScene } from '../stage/StageScene';
 export interface PlainWebGL {
   readonly renderer: WebGLRenderer;
   readonly gl: WebGL2RenderingContext;
-  /** @throws Error with the first line of the compiler's log if a program did not compile */
+  /** Checks the programs. @throws Error with the first line of the compiler's log if a program did not compile */
   check(): void;
   dispose(): void;
 }
@@ -13,7 +13,7 @@ export interface PlainWebGL {
 /**
  * Makes the renderer of a case, with shadow maps if a light casts shadows.
  *
- * @throws Error when the browser gives no WebGL 2
+ * @throws Error when WebGL 2 is not available
  */
 export function createWebGL(canvas: HTMLCanvasElement, { width, height, lights, still }: StageScene): PlainWebGL {
   const renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: 'high-performance' });

@@ -4,10 +4,10 @@ import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
 
-/** Frames by one technique after which `auto` counts as settled: it changes some frames after it has estimated overdraw. */
+/** Number of frames by one technique until `auto` is settled: it changes some frames after estimating overdraw. */
 const SETTLED = 48;
 
-/** Farol by one of its techniques and a quality; its code is fetched before a frame is timed. */
+/** Farol with a technique and a quality; its code is fetched before frames are timed. */
 export function farol(technique: TechniqueName, quality: Required<FarolOptions>['quality'] = 'full'): Competitor {
   const name = quality === 'lite' ? 'lite' : technique;
   return {

@@ -13,11 +13,11 @@ const farolCompetitors = Object.fromEntries(
   Object.keys(techniques).map((name) => [name, async () => farol(name as TechniqueName)]),
 ) as Record<TechniqueName, Fetch>;
 
-/** Another engine; its module is fetched when it draws. */
+/** Another engine as a competitor, whose module is fetched when it draws. */
 const rival = async (name: RivalName): Promise<Competitor> =>
   (await import('./rivals/rivalCompetitor')).rivalCompetitor(name);
 
-/** Competitors by key; large ones are fetched when they first draw. A new one is a file and a line here. */
+/** Competitors by key; large ones are fetched when they first draw. A new one takes a file and a line here. */
 export const competitors: Readonly<Record<CompetitorName, Fetch>> = {
   ...farolCompetitors,
   lite: async () => farol('auto', 'lite'),
@@ -28,7 +28,7 @@ export const competitors: Readonly<Record<CompetitorName, Fetch>> = {
   babylon: () => rival('babylon'),
 };
 
-/** @throws Error (as a rejection) when there is none of that name */
+/** Fetches a competitor. @throws Error (as a rejection) for an unknown name */
 export async function loadCompetitor(name: string): Promise<Competitor> {
   const load = Object.hasOwn(competitors, name) ? competitors[name as CompetitorName] : undefined;
   if (!load) throw new Error(`There is no competitor ‘${name}’: choose one of ${Object.keys(competitors).join(', ')}.`);

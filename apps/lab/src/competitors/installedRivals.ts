@@ -3,7 +3,7 @@ export const installCommand = 'npm run rivals';
 
 /** Installed versions of the other engines. */
 export interface InstalledRivals {
-  /** Versions of their packages by competitor's key; empty if they are not installed. */
+  /** Versions of the engines' packages by the competitor's key; empty if they are not installed. */
   readonly versions: Readonly<Record<string, string>>;
   /** Whether the page's server can install competitors, as that of `npm start` can. */
   readonly canInstall: boolean;
@@ -15,7 +15,7 @@ export async function installedRivals(): Promise<InstalledRivals> {
     const answer = await fetch(new URL('rivals/versions.json', document.baseURI));
     if (answer.ok) return (await answer.json()) as InstalledRivals;
   } catch {
-    // another server, or none
+    // the server cannot tell, or is unreachable
   }
   return { versions: {}, canInstall: false };
 }

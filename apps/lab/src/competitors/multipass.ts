@@ -24,8 +24,8 @@ import { createWebGL } from './createWebGL';
 import { lackingInThree, pointsAlone, refuseMatter } from './refuseMatter';
 
 /**
- * The thesis's forward rendering by three's renderer: a base pass with all lights but the moving ones, then the whole scene
- * once more for each of these, added in linear half floats.
+ * The thesis's forward rendering, with three's renderer: a base pass with all lights except the moving ones, then the
+ * whole scene again for each moving light, added in linear half floats.
  */
 export const multipass: Competitor = {
   name: 'multipass',
@@ -93,7 +93,7 @@ class AddedLights {
       const { material } = object as Mesh;
       if (!material) continue;
       const copy = object.clone(false) as Mesh;
-      // shared with the base pass: the copy moves with the original
+      // the original's matrix is shared, so that the copy moves with it
       copy.matrix = object.matrix;
       copy.matrixWorld = object.matrixWorld;
       if (object instanceof InstancedMesh) (copy as InstancedMesh).instanceMatrix = object.instanceMatrix;
@@ -102,7 +102,7 @@ class AddedLights {
     }
   }
 
-  /** Copies place, colour and range of a light to the light of this scene. */
+  /** Copies position, colour and range of a light to the light of this scene. */
   light(source: PointLight): void {
     const used = source.castShadow ? this.caster : this.lamp;
     this.lamp.visible = !source.castShadow;
@@ -144,7 +144,7 @@ class AddedLights {
   }
 }
 
-/** A quad that draws the sum as sRGB. */
+/** A quad that draws the sum of all passes, converted to sRGB. */
 function fullScreen(target: WebGLRenderTarget): Scene {
   const material = new MeshBasicMaterial({ map: target.texture, depthTest: false, depthWrite: false });
   return new Scene().add(new Mesh(new PlaneGeometry(2, 2), material));

@@ -1,7 +1,7 @@
 import { type LightKind, lightKinds, type Shading, shadings } from '../plan/lightKinds';
 import type { RefusableScene } from './Competitor';
 
-/** Reasons, each a sentence, why a competitor cannot draw kinds of lights and shadings; others it can. */
+/** Reasons, each a sentence, why a competitor cannot draw certain kinds of lights and shadings. */
 export interface Lacking {
   readonly kinds?: Readonly<Partial<Record<LightKind, string>>>;
   readonly shadings?: Readonly<Partial<Record<Shading, string>>>;
@@ -23,7 +23,7 @@ export const lackingInThree: Lacking = {
   shadings: { gouraud: 'three.js has no Gouraud shading: it lights all materials in each pixel.' },
 };
 
-/** Reasons, for all other kinds of lights, of a competitor measured with point lights alone. */
+/** Reasons, for all other kinds of lights, of a competitor that is measured with point lights only. */
 export function pointsAlone(who: string): Readonly<Partial<Record<LightKind, string>>> {
   const others = Object.entries(lightKinds).filter(([kind]) => kind !== 'points');
   return Object.fromEntries(
@@ -31,7 +31,7 @@ export function pointsAlone(who: string): Readonly<Partial<Record<LightKind, str
   );
 }
 
-/** Reason of an engine that gets converted materials. */
+/** Reason of an engine whose materials are converted from three's. */
 export const noGouraud = (who: string): Lacking['shadings'] => ({
   gouraud: `The Lab has no ${shadings.gouraud.word} for ${who}.`,
 });

@@ -2,9 +2,9 @@ import type { Material } from 'three';
 import type { StageScene } from '../stage/StageScene';
 
 /**
- * Refuses a scene whose shadow maps and material textures exceed the textures of a shader.
+ * Refuses a scene whose shadow maps and material textures exceed the texture limit of a shader.
  *
- * @param textures - most textures of a shader on this device
+ * @param textures - maximum number of textures of a shader on this device
  * @param others - textures that the renderer itself needs
  * @throws Error with the number of lights whose shadow maps fit
  */

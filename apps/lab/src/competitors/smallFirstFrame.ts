@@ -3,7 +3,7 @@ import { saltShaders } from '../measure/saltShaders';
 import { waitForPixel } from '../measure/waitForPixel';
 import { loseContext } from '../stage/loseContext';
 
-/** Time of stock three's first frame, of a single plane with `lights` point lights (ms). */
+/** Measures the first frame of stock three with one plane and `lights` point lights (ms). */
 export function smallFirstFrame(lights: number): number {
   const canvas = Object.assign(document.createElement('canvas'), { width: 1, height: 1 });
   saltShaders(canvas);

@@ -6,18 +6,18 @@ import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
 import { smallFirstFrame } from './smallFirstFrame';
 
-/** Uniform vectors of a point light, of a spot light, and of a point light's shadow. */
+/** Uniform vectors used by a point light; then by a spot light, and by a point light's shadow. */
 const LIGHT = 2;
 const SPOT = 4;
 const SHADOW = 3;
 /** Uniform vectors of a material. */
 const OTHERS = 16;
-/** Number of lights from which compiling may hang the page: it is done in parallel, or predicted if that is impossible. */
+/** Number of lights from which compiling may hang the page: it is done in parallel, or forecast if unsupported. */
 const MANY = 64;
 /** Time between two polls of the compilation (ms). */
 const POLL = 4;
 
-/** three's own renderer: every light is in every shader. */
+/** three's own renderer, with every light in every shader. */
 export const stock: Competitor = {
   name: 'stock',
   ...competitorNames.stock,
@@ -60,10 +60,10 @@ export const stock: Competitor = {
   },
 };
 
-/** COMPLETION_STATUS_KHR. */
+/** The constant COMPLETION_STATUS_KHR. */
 const IS_COMPLETE = 0x91b1;
 
-/** Records the programs that a context links. @returns a function that tells, without a wait, whether all are linked */
+/** Records the programs that a context links. @returns a function: whether all are linked, without waiting */
 function watchLinks(gl: WebGL2RenderingContext): () => boolean {
   const programs: WebGLProgram[] = [];
   gl.linkProgram = (program) => {
@@ -73,7 +73,7 @@ function watchLinks(gl: WebGL2RenderingContext): () => boolean {
   return () => programs.every((program) => gl.getProgramParameter(program, IS_COMPLETE) as boolean);
 }
 
-/** @throws Error when compiling exceeds the limit of a first frame */
+/** Checks a compile time. @throws Error when compiling exceeds the limit of a first frame */
 function refuseTime(ms: number, longest: number, lights: number): void {
   if (ms < longest) return;
   const [time, limit] = [ms, longest].map((each) => (each < 9950 ? (each / 1000).toFixed(1) : Math.round(each / 1000)));
@@ -82,7 +82,7 @@ function refuseTime(ms: number, longest: number, lights: number): void {
   );
 }
 
-/** Numbers of lights whose shaders are compiled for the forecast. */
+/** Numbers of lights whose shaders are compiled to forecast the compile time. */
 const TRIED = [16, 64] as const;
 /** Bounds of the growth of the compile time, as powers of the number of lights. */
 const SLOPES = [1, 3] as const;

@@ -13,11 +13,11 @@ import { type CopyingDevice, readWebGPU } from './readWebGPU';
 /** Default sizes of the ClusteredLighting addon: side of a tile (pixels), slices along the depth. */
 const TILE = 32;
 const SLICES = 24;
-/** Capacity for lights that are added while the scene is measured. */
+/** Number of lights that can be added while the scene is measured. */
 const SPARE = 10;
 /** Factor by which a cluster may become fuller while lights move. */
 const ROOM = 1.15;
-/** Textures of the addon in each material. */
+/** Number of textures that the addon adds to each material. */
 const LIGHT_TEXTURES = 2;
 /** Factor by which the addon enlarges its storage. */
 const HEADROOM = 1.5;
@@ -82,7 +82,7 @@ export const threeWebGPU: Competitor = {
   },
 };
 
-/** Lights per cluster, and the number of lights left out if memory does not allow for more. */
+/** Maximum number of lights per cluster, and the number of lights left out when memory limits it. */
 function clustersOf(scene: StageScene, memory: number): { limit: number; dropped: number } {
   const { width, height } = scene;
   const camera = scene.camera as PerspectiveCamera;
@@ -92,7 +92,7 @@ function clustersOf(scene: StageScene, memory: number): { limit: number; dropped
   camera.updateMatrixWorld();
   for (const light of [...scene.lights, ...scene.still]) {
     if (!(light instanceof PointLight || light instanceof SpotLight)) continue;
-    // an upper bound for spot lights
+    // an upper bound: the sphere around a spot light's cone
     reaches.push({ centre: light.position, radius: light.distance || Infinity });
   }
   const clusters = Math.ceil(width / TILE) * Math.ceil(height / TILE) * SLICES;

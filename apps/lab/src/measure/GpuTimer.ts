@@ -1,12 +1,12 @@
 import { nextTask } from './nextTask';
 
-/** EXT_disjoint_timer_query_webgl2, which TypeScript's library does not know. */
+/** EXT_disjoint_timer_query_webgl2, which TypeScript's library lacks. */
 interface TimerExtension {
   readonly TIME_ELAPSED_EXT: number;
   readonly GPU_DISJOINT_EXT: number;
 }
 
-/** Longest wait for the time of a frame (ms). */
+/** Longest wait for the GPU time of a frame (ms). */
 const LONGEST = 5000;
 
 export class GpuTimer {
@@ -30,7 +30,7 @@ export class GpuTimer {
   async time(count: number, frame: () => void): Promise<number[]> {
     const { gl, extension, queries } = this;
     while (queries.length < count) queries.push(gl.createQuery() as WebGLQuery);
-    gl.getParameter(extension.GPU_DISJOINT_EXT); // reading clears it
+    gl.getParameter(extension.GPU_DISJOINT_EXT); // reading the flag clears it
     const begin = performance.now();
     for (let i = 0; i < count; i++) {
       gl.beginQuery(extension.TIME_ELAPSED_EXT, queries[i]);

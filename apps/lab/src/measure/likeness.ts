@@ -1,4 +1,4 @@
-/** The compared part of an ImageData. */
+/** The properties of an ImageData that are compared. */
 export interface Picture {
   readonly width: number;
   readonly height: number;

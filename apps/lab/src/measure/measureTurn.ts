@@ -3,7 +3,7 @@ import type { GpuTimer } from './GpuTimer';
 import { nextTask } from './nextTask';
 import { median } from './spread';
 
-/** Frames to be measured, by the clock `now` (ms). */
+/** A scene whose frames are measured, and the clock `now` (ms). */
 export interface Measured {
   /** Moves the lights by a step and draws a frame. @returns duration of the drawing call (ms) */
   frame(): number;
@@ -13,16 +13,16 @@ export interface Measured {
   now(): number;
 }
 
-/** Shortest duration of a sample, of several frames if needed (ms): browsers' clocks have steps of 0.1 ms. */
+/** Minimum duration of a sample (ms), which may be of several frames: browsers' clocks have steps of 0.1 ms. */
 const SPAN = 20;
 /**
- * Duration of a batch of frames on a GPU if the turn is long enough (ms): the GPU idles during the drawing call of a batch's
- * first frame, which counts less in a longer batch.
+ * Duration of a batch of frames on a GPU if the turn is long enough (ms): the GPU idles during the drawing call of a
+ * batch's first frame, whose share is smaller in a longer batch.
  */
 const GPU_SPAN = 100;
-/** Fewest samples of each kind. */
+/** Minimum number of samples of each kind. */
 const FEWEST = 3;
-/** Frames timed by the GPU between two waits. */
+/** Number of frames with timer queries between two waits. */
 const QUERIES = 8;
 
 /**
@@ -33,7 +33,7 @@ export async function measureTurn(measured: Measured, ms: number): Promise<Turn>
   const { finish, timer, now } = measured;
   const wait = await waitCost(measured);
   const drawn = (): void => void measured.frame();
-  // fills caches and raises clocks; the duration of a frame decides the size of a batch
+  // warms caches and clocks up; the duration of a frame determines the size of a batch
   let length = 0;
   const begin = now();
   do {

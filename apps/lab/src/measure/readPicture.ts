@@ -1,11 +1,11 @@
-/** Widths of pictures that are compared and of those that a run keeps (pixels); narrower ones stay as they are. */
+/** Widths to which pictures are reduced for comparison, and for kept runs (pixels); narrower ones are not enlarged. */
 const COMPARED = 320;
 const KEPT = 160;
 
 /**
  * Reads a picture over black: 8-bit sRGB, RGBA.
  *
- * @param widest - greatest width of the result (pixels); default that of compared pictures
+ * @param widest - maximum width of the result (pixels); default `COMPARED`
  */
 export function readPicture(source: HTMLCanvasElement | ImageData, widest = COMPARED): ImageData {
   const context = reduced(source, widest);
@@ -20,7 +20,7 @@ function reduced(source: HTMLCanvasElement | ImageData, widest: number): CanvasR
   const height = Math.max(1, Math.round((source.height * width) / source.width));
   const context = context2D(width, height);
   context.imageSmoothingQuality = 'high';
-  // ImageData of a frame is no instance of this page's class
+  // ImageData of a frame has another class than this page's ImageData
   context.drawImage('data' in source ? canvasOf(source) : source, 0, 0, width, height);
   return context;
 }

@@ -18,8 +18,8 @@ export function quantile(values: readonly number[], q: number): number {
 export const median = (values: readonly number[]): number => quantile(values, 0.5);
 
 /**
- * Median of the turns' medians, which a single disturbed turn does not change, and percentiles of all samples, which show
- * that turn.
+ * Median of the turns' medians, which a single disturbed turn does not change, and percentiles of all samples, in which
+ * that turn is visible.
  *
  * @param turns - samples of each turn (ms); turns without samples are ignored
  * @returns null when no turn has samples

@@ -88,7 +88,7 @@ describe('receiveScene', () => {
     expect(await (await receive(fromViewer, null)).outcome).toMatch(/is gone: choose/);
     const { host, opener, outcome } = await receive(fromViewer);
     host.say(opener, viewer, { type: 'farol-scene-failed', problem: 'The texture is gone.' });
-    expect(await outcome).toBe('The scene did not come: The texture is gone.');
+    expect(await outcome).toBe('The scene was not received: The texture is gone.');
   });
 
   it('cuts a long name, and gives one to a scene without', async () => {

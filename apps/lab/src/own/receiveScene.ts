@@ -6,7 +6,7 @@ export interface ReceivedScene {
 }
 
 export interface ReceiveOptions {
-  /** Limit of the wait for the other page (ms). Default 60 s: large scenes take long to pack. */
+  /** Longest wait for the other page (ms). Default 60 s, since packing a large scene takes long. */
   readonly patience?: number;
   /** Window that receives the scene; replaced in tests. */
   readonly host?: Pick<Window, 'opener' | 'location' | 'addEventListener' | 'removeEventListener'>;
@@ -19,12 +19,13 @@ const senders = ['editor', 'viewer'];
 const LONGEST_NAME = 120;
 
 /**
- * Asks the page that opened this one for its scene, if the address has that page's origin as `?from=`. Only origins of the
- * editor and the viewer in `apps.json` are accepted. The file is checked by the engine when a stage opens it; nothing is
- * fetched for it from other addresses.
+ * Requests the scene of the page that opened this one, if the address names that page's origin as `?from=`. Only
+ * origins of the editor and the viewer in `apps.json` are accepted. The file is checked by the engine when a stage
+ * opens it; nothing is fetched for it from other addresses.
  *
- * @returns null if the address asks for none
- * @throws Error (as a rejection), a sentence with the remedy: another page offers it, no answer, or it was not packed
+ * @returns null if the address has no `?from=`
+ * @throws Error (as a rejection), a sentence with the remedy: the origin is not accepted, there is no answer, or
+ *   packing failed
  */
 export async function receiveScene({
   patience = 60_000,
@@ -51,7 +52,7 @@ export async function receiveScene({
       if (source !== opener || origin !== from) return;
       if (data?.type === 'farol-scene-failed') {
         end();
-        reject(new Error(`The scene did not come: ${String(data.problem)}`));
+        reject(new Error(`The scene was not received: ${String(data.problem)}`));
       }
       if (data?.type !== 'farol-scene' || !(data.bytes instanceof ArrayBuffer)) return;
       end();

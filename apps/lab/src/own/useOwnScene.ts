@@ -11,10 +11,10 @@ export interface OwnSceneState {
   readonly problem: string;
 }
 
-/** Whether the address asks for a scene. */
+/** Whether the address names a page that hands over a scene. */
 const isAsked = (): boolean => new URLSearchParams(location.search).has('from');
 
-/** The scene handed over by another app, if the address asks for one; sets the page's title to its name. */
+/** The scene handed over by another app, if the address names one; sets the page's title to its name. */
 export function useOwnScene(): OwnSceneState {
   const [state, setState] = useState<OwnSceneState>(() => ({
     isComing: isAsked(),

@@ -1,7 +1,7 @@
 import type { Axis, Effort } from './LabPlan';
 import type { LightKind, Shading } from './lightKinds';
 
-/** Choice of a series: cases that differ along one axis. */
+/** Settings of a series: cases that differ along one axis. */
 export interface SeriesChoice {
   /** Key in `sceneWords`. */
   readonly scene: string;
@@ -13,13 +13,13 @@ export interface SeriesChoice {
    * of lights and shadings indices into `lightKindNames` and `shadingNames`.
    */
   readonly values: readonly number[];
-  /** Moving lights, unless they are the axis; `objects` for as many as there are planes. */
+  /** Number of moving lights, unless it is the axis; `objects` for as many as there are planes. */
   readonly lights: number | 'objects';
   /** Kind of the moving lights, unless it is the axis. Default points. */
   readonly lightKind?: LightKind;
   /** Range of each moving light (m), 0.1 to 100. Default, or null: the scene's own range for this number of lights. */
   readonly lightRange?: number | null;
-  /** Shading of the materials, unless it is the axis. Default their own. */
+  /** Shading of the materials, unless it is the axis. Default their own shading. */
   readonly shading?: Shading;
 }
 
@@ -28,7 +28,7 @@ export interface Configuration {
   /** Key in `presets`, or `custom`. */
   readonly preset: string;
   readonly series: readonly SeriesChoice[];
-  /** Size of the picture (pixels); along an axis of pixels the aspect ratio stays. */
+  /** Size of the picture (pixels); along an axis of pixels only its aspect ratio is used. */
   readonly width: number;
   readonly height: number;
   /** Keys in `competitorNames`. */

@@ -15,7 +15,6 @@ export interface LabCase {
   readonly lights: number | null;
   /** Number of moving lights that cast shadows, by maps of 512 texels per side. */
   readonly shadows: number;
-  /** Kind of the moving lights. */
   readonly lightKind: LightKind;
   /** Range of the moving lights (m); null for the scene's own range. */
   readonly lightRange: number | null;
@@ -49,18 +48,18 @@ export interface LabSeries {
 
 /** Duration and repetition of the measurements of a competitor in a case. */
 export interface Effort {
-  /** Turns of each competitor, A B C A B C. */
+  /** Number of turns of each competitor, interleaved: A B C A B C. */
   readonly rounds: number;
   /** Length of a turn (ms), shared among throughput, CPU and GPU times. */
   readonly turn: number;
   /**
-   * Whether to measure the frame after ten lights more and the frame after the technique changed. A run with a `limit` does
-   * so in the first case of each series alone.
+   * Whether to measure the frames after ten lights were added, and after the technique was changed. A run with a
+   * `limit` measures these only in the first case of each series.
    */
   readonly changes: boolean;
   /** Longest first or ordinary frame (ms): a competitor that takes longer is left out, with a problem in its row. */
   readonly longestFrame: number;
-  /** Time limit of the whole run (ms), kept by shorter turns; null for none. */
+  /** Time limit of the whole run (ms), for which turns are shortened; null for none. */
   readonly limit: number | null;
 }
 

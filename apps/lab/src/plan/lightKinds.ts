@@ -6,7 +6,7 @@ export interface LightKindWords {
   readonly word: string;
 }
 
-/** Kinds of moving lights by key: all with the places, ranges and brightness of the scene's point lights. */
+/** Kinds of moving lights by key: all have the places, ranges and brightness of the scene's point lights. */
 export const lightKinds = {
   points: { label: 'Point lights', word: 'points', help: 'PointLights of three.js.' },
   spots: { label: 'Spot lights', word: 'spots', help: 'SpotLights of three.js that shine down, with soft edges.' },
@@ -34,7 +34,7 @@ export const lightKinds = {
 
 export type LightKind = keyof typeof lightKinds;
 
-/** Keys in the order of the axis: indices are stored in kept runs, so new kinds come last. */
+/** Keys in the order of the axis. Runs store indices, so new kinds are added at the end. */
 export const lightKindNames = Object.keys(lightKinds) as readonly LightKind[];
 
 /** Kinds with an object per light; the others are data of one object. */
@@ -51,5 +51,5 @@ export const shadings = {
 
 export type Shading = keyof typeof shadings;
 
-/** Keys in the order of the axis: new shadings come last. */
+/** Keys in the order of the axis; new shadings are added at the end. */
 export const shadingNames = Object.keys(shadings) as readonly Shading[];

@@ -4,10 +4,10 @@ import { lightKindNames, lightKinds, shadingNames, shadings } from './lightKinds
 import { presets } from './presets';
 import { axisLabel, sceneWords } from './sceneWords';
 
-/** WebGL contexts that the Lab keeps at once: browsers lose the oldest beyond 16, on phones beyond 8. */
+/** Maximum number of WebGL contexts that the Lab keeps: browsers lose the oldest beyond 16, on phones beyond 8. */
 export const MOST_CONTEXTS = { desktop: 15, phone: 6 };
 
-/** Time to open and close a competitor for a case, and for the frames after changes, on an ordinary desktop (ms). */
+/** Time to open and close a competitor for a case, and for frames after changes, on an average desktop (ms). */
 const OPEN = 350;
 const CHANGES = 150;
 
@@ -30,7 +30,7 @@ export function planOf(configuration: Configuration): LabPlan {
   return { preset, label, series, competitors, effort };
 }
 
-/** Duration of a plan on an ordinary desktop (ms); a slow competitor or device takes longer. */
+/** Estimated duration of a plan on an average desktop (ms); a slow competitor or device takes longer. */
 export function estimate({ series, competitors, effort }: LabPlan): number {
   const cases = series.reduce((sum, { cases }) => sum + cases.length, 0);
   const each = OPEN + effort.rounds * effort.turn + (effort.changes ? CHANGES : 0);
@@ -58,7 +58,7 @@ function seriesOf(choice: SeriesChoice, size: { width: number; height: number })
   return { name: parts.join('-'), label, axis, cases, values: made.map((each) => each.value) };
 }
 
-/** Light kind, range and shading of all cases if not the ordinary ones: ` (a LightField; reach 1 m; flat shading)`. */
+/** Light kind, range and shading of all cases unless these are the defaults: ` (a LightField; reach 1 m)`. */
 function matterText({ axis, lightKind = 'points', lightRange = null, shading = 'own' }: SeriesChoice): string {
   const kind = axis === 'kind' || lightKind === 'points' ? '' : lightKinds[lightKind].word;
   const reach = lightRange === null ? '' : `reach ${lightRange} m`;
@@ -71,7 +71,7 @@ function lightsText({ lights }: SeriesChoice): string {
   return lights === 'objects' ? 'as many lights as planes' : `${lights} lights`;
 }
 
-/** One case and its value along the axis: planes and their lights are rounded to squares, pixels to the aspect ratio. */
+/** A case and its value along the axis: planes and their lights are rounded to squares, pixels to the aspect ratio. */
 function caseOf(choice: SeriesChoice, size: { width: number; height: number }, value: number) {
   const { scene, axis } = choice;
   checkMatter(choice, value);
@@ -110,7 +110,7 @@ function caseOf(choice: SeriesChoice, size: { width: number; height: number }, v
   return { labCase, value: along[axis] };
 }
 
-/** @throws Error that names a kind of lights, a range or a shading that is impossible */
+/** Checks light kind, range and shading. @throws Error naming the one that is impossible */
 function checkMatter(
   { scene, axis, lightKind = 'points', lightRange = null, shading = 'own' }: SeriesChoice,
   value: number,

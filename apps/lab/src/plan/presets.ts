@@ -10,19 +10,19 @@ export interface Preset {
   readonly configuration: Configuration;
 }
 
-/** Keys of all competitors but the other engines, which are installed on demand, and 'lite', whose picture is another. */
+/** Keys of all competitors except other engines, which are installed on demand, and 'lite', whose picture differs. */
 export const ordinaryCompetitors: readonly string[] = Object.entries(competitorNames)
   .filter(([name, { kind }]) => kind !== 'rival' && name !== 'lite')
   .map(([name]) => name);
 
 const thorough: Effort = { rounds: 3, turn: 400, changes: false, longestFrame: 10_000, limit: null };
 
-/** Series over lights in a scene. */
+/** A series over the number of lights in a scene. */
 const overLights = (scene: string, values: readonly number[], n = 1): SeriesChoice => ({
   ...{ scene, n, axis: 'lights', values, lights: 0 },
 });
 
-/** Series of an axis of names in the atrium. */
+/** A series over kinds of lights, in the atrium. */
 const overKinds = (kinds: readonly LightKind[], lights: number, lightRange: number): SeriesChoice => ({
   ...{ scene: 'sponza', n: 1, axis: 'kind', values: kinds.map((kind) => lightKindNames.indexOf(kind)) },
   ...{ lights, lightRange },
@@ -112,7 +112,7 @@ export const presets: Readonly<Record<string, Preset>> = Object.fromEntries(
 );
 
 /**
- * Configuration of the large button. On a software rasteriser, where one frame of the atrium takes a second, it has small
+ * Configuration of the quick run. On a software rasteriser, where a frame of the atrium takes a second, it has small
  * pictures, mostly of the planes.
  */
 export function quickFor({ software }: { software: boolean }): Configuration {

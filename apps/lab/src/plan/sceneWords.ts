@@ -33,7 +33,7 @@ export const sceneWords: Readonly<Record<string, SceneWords>> = {
   },
 };
 
-/** Labels of the x axis of a chart, and units. */
+/** Labels and units of the x axis of a chart, by axis. */
 export const axisWords: Readonly<Record<Axis, { label: string; unit: string }>> = {
   lights: { label: 'Point lights', unit: 'lights' },
   objects: { label: 'Objects', unit: 'objects' },
@@ -44,7 +44,7 @@ export const axisWords: Readonly<Record<Axis, { label: string; unit: string }>> 
   shading: { label: 'Shading', unit: 'shading' },
 };
 
-/** Label of the x axis of a series, whose lights need not be point lights. */
+/** Label of the x axis of a series, naming its kind of lights. */
 export function axisLabel({ axis, cases }: Pick<LabSeries, 'axis' | 'cases'>): string {
   const others = axis === 'lights' && cases.some(({ lightKind }) => lightKind !== 'points');
   return t(others ? 'Lights' : axisWords[axis].label);

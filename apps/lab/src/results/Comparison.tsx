@@ -1,11 +1,10 @@
 import { t } from '@farol/editing';
 import { useMemo, useState } from 'preact/hooks';
-import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import { compareRuns, type ComparedRow } from './compareRuns';
 import { compareSpreads, SAME } from '../words/compareSpreads';
 import { formatDate, formatNumber } from '../words/format';
-import { competitorLabel, namedValue } from '../words/names';
+import { caseText, competitorLabel } from '../words/names';
 import { seriesLabel } from '../words/seriesLabel';
 import type { LabRun, Metric } from './LabRun';
 import './results.css';
@@ -109,9 +108,9 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
           </tr>
         </thead>
         <tbody>
-          {rows.map(({ competitor, labCase, value, a, b, ratio, times }) => (
+          {rows.map(({ competitor, index, value, a, b, ratio, times }) => (
             <tr key={`${value} ${competitor}`}>
-              <th scope="row">{caseWord(rows[0].series, labCase, value)}</th>
+              <th scope="row">{caseText(rows[0].series, index)}</th>
               <td class="text">{competitorLabel(competitor)}</td>
               <td>{digits(a)}</td>
               <td>{digits(b)}</td>
@@ -127,16 +126,10 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
   );
 }
 
-/** Whether the charts call the two times a tie, see `compareSpreads`. */
+/** Whether two times count as a tie, see `compareSpreads`. */
 const isTie = (times: ComparedRow['times']): boolean => times !== null && compareSpreads(...times) === 0;
 
-/** Label of a case before its figures. */
-function caseWord({ axis }: LabSeries, { width, height }: LabCase, value: number): string {
-  if (isNamed(axis)) return namedValue(axis, value);
-  return axis === 'pixels' ? `${width} × ${height}` : digits(value);
-}
-
-/** Relation of the second run to the first. */
+/** Ratio of the second run to the first, in words. */
 function ratioWords(ratio: number | null): string {
   if (ratio === null) return t('no figure in one of them');
   if (kindOf(ratio) === 'same') return t('the same within 3%');

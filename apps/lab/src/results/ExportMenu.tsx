@@ -8,7 +8,7 @@ import './results.css';
 
 interface ExportMenuProps {
   run: LabRun;
-  /** Address that restores the run's configuration; null if none can, as for a handed-over scene. */
+  /** Address that restores the run's configuration; null if there is none, as for a handed-over scene. */
   link?: string | null;
 }
 
@@ -101,7 +101,7 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
   );
 }
 
-/** Moves a menu to the left so that it lies within the page. */
+/** Moves a menu to the left so that it is within the page. */
 function keepInside(menu: HTMLElement): void {
   menu.style.left = '0';
   const { right } = menu.getBoundingClientRect();

@@ -13,25 +13,25 @@ export interface Spread {
   samples: number;
 }
 
-/** Counts of one frame; null for WebGPU, which is not counted. */
+/** Counts of one frame; null for WebGPU, where they are not measured. */
 export interface Counts {
   draws: number | null;
   triangles: number | null;
   /** Programs linked since the competitor was opened for the case. */
   programs: number | null;
-  /** Bytes of render targets and light data; null for competitors that do not report them. */
+  /** Size of render targets and light data (bytes); null for competitors that do not report it. */
   targetBytes: number | null;
-  /** Bytes of textures and buffers uploaded in a frame with moving lights, without uniforms. */
+  /** Size of textures and buffers uploaded in a frame with moving lights, without uniforms (bytes). */
   uploadBytes: number | null;
 }
 
-/** Time of each pass (ms): of the GPU, or of the CPU without timer queries. */
+/** Time of each pass (ms), measured on the GPU, or on the CPU without timer queries. */
 export interface PassTimes {
   kind: 'gpu' | 'cpu';
   passes: { name: string; ms: number }[];
 }
 
-/** Frame after a change, with the wait for the device. */
+/** Frame after a change, including the wait for the device. */
 export interface Change {
   ms: number;
   /** Programs linked in the frame; null for WebGPU. */
@@ -52,23 +52,23 @@ export interface Likeness {
 export interface LabRow {
   /** Key of the competitor. */
   competitor: string;
-  /** Name of the series and index of the case in it. */
+  /** Name of the series, and index of the case within it. */
   series: string;
   index: number;
   frame: Spread | null;
   cpu: Spread | null;
   gpu: Spread | null;
   firstMs: number | null;
-  /** Frame after ten lights more. */
+  /** Frame after ten lights were added. */
   added: Change | null;
-  /** Frame after a change to another technique and back (Farol alone). */
+  /** Frame after a change to another technique and back (only Farol). */
   changed: Change | null;
   counts: Counts | null;
   passes: PassTimes | null;
   likeness: Likeness | null;
   /** Number of lights that the competitor leaves out. */
   dropped: number;
-  /** Technique chosen by the competitor, and its reason; null if it has none to choose. */
+  /** Technique that the competitor chose, and its reason; null if it does not choose. */
   technique: string | null;
   reason: string | null;
   /** Reason, a sentence, why there are no figures; null if there are. */
@@ -77,16 +77,16 @@ export interface LabRow {
   warnings: string[];
 }
 
-/** Place and time of a run. */
+/** Device, browser, versions and date of a run. */
 export interface LabSurroundings {
   /** Date and time, ISO 8601. */
   date: string;
-  /** Graphics device as WebGL names it. */
+  /** Name of the graphics device, as reported by WebGL. */
   device: string;
-  /** Browser's name and version; operating system. */
+  /** Name and version of the browser, and the operating system. */
   browser: string;
   system: string;
-  /** Cores reported by the browser. */
+  /** Number of cores reported by the browser. */
   cores: number | null;
   /** Version and commit of Farol. */
   build: string;
@@ -102,9 +102,9 @@ export interface LabSurroundings {
 export interface LabRun {
   format: 'farol-lab-run';
   version: typeof LAB_RUN_VERSION;
-  /** Unique: date and a random part. */
+  /** Unique id: date and a random part. */
   id: string;
-  /** Name by the user; empty for none. */
+  /** Name given by the user; empty for none. */
   name: string;
   surroundings: LabSurroundings;
   plan: LabPlan;
@@ -115,5 +115,5 @@ export interface LabRun {
   duration: number;
 }
 
-/** Time by which charts and tables compare. */
+/** Kind of time that charts and tables compare. */
 export type Metric = 'frame' | 'gpu' | 'cpu';

@@ -7,9 +7,8 @@ interface RunItemProps {
   info: RunInfo;
   /** Whether the run is a reference of the repository, which cannot be renamed or deleted. */
   isReference?: boolean;
-  /** Ids of the runs chosen for a comparison, two at most. */
+  /** Ids of the runs chosen for a comparison, at most two. */
   chosen: readonly string[];
-  /** Id of the displayed run. */
   current: string | null;
   onOpen(id: string): Promise<void>;
   onChoose(id: string, isChosen: boolean): void;
@@ -69,11 +68,11 @@ export function RunItem(props: RunItemProps) {
   );
 }
 
-/** @param onEnd - called once: with the name, or with null if the user cancels */
+/** Field for a run's name. @param onEnd - called once: with the name, or null when cancelled */
 function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(name: string | null): void }) {
   const field = useRef<HTMLInputElement>(null);
   const isOver = useRef(false);
-  // in the same frame, so that no key is lost
+  // focused in the same frame, so that no key press is lost
   useLayoutEffect(() => {
     field.current?.focus();
     field.current?.select();

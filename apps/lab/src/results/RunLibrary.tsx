@@ -12,9 +12,7 @@ import './results.css';
 
 interface RunLibraryProps {
   store: RunStore;
-  /** Reference runs of the repository. */
   references?: readonly ReferenceRun[];
-  /** Id of the displayed run. */
   current: string | null;
   onOpen(run: LabRun): void;
   onCompare(a: LabRun, b: LabRun): void;
@@ -81,7 +79,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
   const remove = (id: string, name: string) =>
     attempt(async () => {
       setDeleted({ name, undo: await store.remove(id) });
-      // the focused button no longer exists
+      // moves the focus, since the focused button no longer exists
       requestAnimationFrame(() => undoButton.current?.focus());
     });
   const undo = () =>

@@ -1,3 +1,4 @@
+import { Signal } from '@farol/editing';
 import { createStore, delMany, get, getMany, promisifyRequest, setMany, type UseStore } from 'idb-keyval';
 import type { LabRun } from './LabRun';
 import { readRun } from './parseRun';
@@ -5,10 +6,10 @@ import { readRun } from './parseRun';
 /** Entry of a run in the list of kept runs. */
 export interface RunInfo {
   id: string;
-  /** Given by the user; empty for none. */
+  /** Name given by the user; empty for none. */
   name: string;
   label: string;
-  /** ISO 8601. */
+  /** Date and time, ISO 8601. */
   date: string;
   device: string;
   browser: string;
@@ -32,13 +33,13 @@ const runKey = (id: string): string => `run:${id}`;
 
 const reasons: Readonly<Record<string, string>> = {
   QuotaExceededError: 'it has no room left for this page. Delete runs, or free space on the disk',
-  SecurityError: 'it lets this page store nothing, as in some private windows',
-  InvalidStateError: 'its store is shut, as in some private windows',
-  VersionError: 'its store is that of a newer Lab. Reload the page',
-  UnknownError: 'its store is damaged, or the disk is full',
+  SecurityError: 'it does not let this page store data, as in some private windows',
+  InvalidStateError: 'its storage is closed, as in some private windows',
+  VersionError: 'its storage is of a newer version of the Lab. Reload the page',
+  UnknownError: 'its storage is damaged, or the disk is full',
 };
 
-/** @param what - start of the message, as in "The run was not kept" */
+/** Wraps the browser's error. @param what - beginning of the message, as in "The run was not kept" */
 function refused(what: string, error: unknown): RunStoreError {
   const { name, message } = error instanceof Error ? error : new Error(String(error));
   const why = Object.hasOwn(reasons, name) ? reasons[name] : message || 'it did not say why';
@@ -53,25 +54,22 @@ function refused(what: string, error: unknown): RunStoreError {
  */
 export class RunStore {
   readonly #store: UseStore;
-  readonly #listeners = new Set<() => void>();
+  readonly #kept = new Signal();
   readonly #channel: BroadcastChannel | null;
 
-  /** @param name - of the database */
+  /** @param name - name of the database */
   constructor(name = 'farol-lab') {
     let opened: UseStore | null = null;
-    // opened on first use: it throws in a page without storage, which should start nevertheless
+    // opened on first use: opening throws in a page without storage, which should start nevertheless
     this.#store = async (mode, callback) => (opened ??= createStore(name, 'runs'))(mode, callback);
     this.#channel = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel(name);
-    this.#channel?.addEventListener('message', () => this.#notify());
+    this.#channel?.addEventListener('message', () => this.#kept.emit());
   }
 
-  /** Calls `listener` after runs were kept, renamed or deleted in any tab. @returns a function that stops it */
-  onChange(listener: () => void): () => void {
-    this.#listeners.add(listener);
-    return () => this.#listeners.delete(listener);
-  }
+  /** Calls `listener` when a run was kept, renamed or deleted in any tab. @returns a function that stops it */
+  readonly onChange = this.#kept.subscribe;
 
-  /** Keeps a run; replaces one of the same id. */
+  /** Keeps a run, replacing one with the same id. */
   async save(run: LabRun): Promise<void> {
     await this.#write('The run was not kept', [
       [infoKey(run.id), runInfo(run)],
@@ -93,14 +91,14 @@ export class RunStore {
     return info !== undefined;
   }
 
-  /** @throws FormatError if the run is of another version of the Lab */
+  /** Reads a run. @throws FormatError if the run is of another version of the Lab */
   async open(id: string): Promise<LabRun> {
     const run: unknown = await this.#try('The run cannot be read', () => get(runKey(id), this.#store));
     if (run === undefined) throw new RunStoreError('The run is no longer kept: it was deleted in another tab.');
     return readRun(run);
   }
 
-  /** @param name - cut to 200 characters */
+  /** Renames a run. @param name - cut to 200 characters */
   async rename(id: string, name: string): Promise<void> {
     await this.save({ ...(await this.open(id)), name: name.trim().slice(0, 200) });
   }
@@ -136,10 +134,6 @@ export class RunStore {
 
   #changed(): void {
     this.#channel?.postMessage(null);
-    this.#notify();
-  }
-
-  #notify(): void {
-    for (const listener of this.#listeners) listener();
+    this.#kept.emit();
   }
 }

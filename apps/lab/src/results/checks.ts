@@ -6,13 +6,13 @@ export class FormatError extends Error {
   override name = 'FormatError';
 }
 
-/** @param mend - description of a valid value, which follows "give" */
+/** Throws for an invalid value. @param mend - description of a valid value, which follows "give" */
 function refuse(path: string, value: unknown, mend: string): never {
   if (value === undefined) throw new FormatError(`${path} is missing: give ${mend}.`);
   throw new FormatError(`${path} is ${quoted(value)}: give ${mend}.`);
 }
 
-/** A value within a message: short, on one line. */
+/** A value as quoted in a message: short, on one line. */
 function quoted(value: unknown): string {
   if (Array.isArray(value)) return `a list of ${value.length}`;
   if (typeof value === 'object' && value !== null) return 'an object';
@@ -30,7 +30,7 @@ export function text(most = 1000): Check<string> {
       : refuse(path, value, `a text of at most ${most} characters`);
 }
 
-/** @param what - description of a valid text */
+/** Checks a text. @param what - description of a valid text */
 export function textLike(pattern: RegExp, most: number, what: string): Check<string> {
   return (value, path) =>
     typeof value === 'string' && value.length <= most && pattern.test(value) ? value : refuse(path, value, what);
@@ -63,7 +63,7 @@ export function orNull<T>(check: Check<T>): Check<T | null> {
   return (value, path) => (value === null ? null : check(value, path));
 }
 
-/** @param fallback - value for files without the field */
+/** Checks an optional field. @param fallback - value for files without the field */
 export function orMissing<T>(check: Check<T>, fallback: T): Check<T> {
   return (value, path) => (value === undefined ? fallback : check(value, path));
 }
@@ -77,7 +77,7 @@ export function listOf<T>(check: Check<T>, most: number, fewest = 0): Check<T[]>
   };
 }
 
-/** An object with arbitrary names. */
+/** Checks an object with arbitrary names. */
 export function record<T>(check: Check<T>, most: number): Check<Record<string, T>> {
   return (value, path) => {
     if (!isObject(value)) return refuse(path, value, 'an object');
@@ -92,7 +92,7 @@ export function record<T>(check: Check<T>, most: number): Check<Record<string, T
   };
 }
 
-/** An object with these fields; others are dropped. */
+/** Checks an object with these fields; other fields are dropped. */
 export function fields<T extends object>(checks: { readonly [Key in keyof T]-?: Check<T[Key]> }): Check<T> {
   const entries = Object.entries(checks) as [string, Check<unknown>][];
   return (value, path) => {

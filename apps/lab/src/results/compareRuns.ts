@@ -8,19 +8,18 @@ import { caseKey } from './mergeRuns';
 export interface ComparedRow {
   readonly competitor: string;
   readonly series: LabSeries;
-  readonly labCase: LabCase;
   readonly index: number;
   readonly value: number;
-  /** Times of both runs; null unless both have a figure. */
+  /** Times of both runs; null unless both have one. */
   readonly times: readonly [a: Spread, b: Spread] | null;
-  /** Medians (ms); null without a figure. */
+  /** Medians of the two runs (ms); null without a figure. */
   readonly a: number | null;
   readonly b: number | null;
   /** a / b: over 1 if the second run is faster; null unless both have a figure. */
   readonly ratio: number | null;
 }
 
-/** Mean of a competitor over all cases in which both runs have a figure. */
+/** Mean ratio of a competitor over all cases in which both runs have a figure. */
 export interface ComparedCompetitor {
   readonly competitor: string;
   /** Geometric mean of the ratios; null without any. */
@@ -29,7 +28,7 @@ export interface ComparedCompetitor {
 }
 
 export interface ComparedRuns {
-  /** Compared time: by default that of the GPU if all rows with figures have it, otherwise that of frames. */
+  /** Compared kind of time: by default GPU time if all rows with figures have it, otherwise frame time. */
   readonly metric: Metric;
   readonly rows: readonly ComparedRow[];
   readonly competitors: readonly ComparedCompetitor[];
@@ -55,7 +54,7 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
         if (!ours || !their) continue;
         const [first, second] = [timeOf(ours, metric), timeOf(their, metric)];
         rows.push({
-          ...{ competitor, series, labCase, index, value: series.values[index] },
+          ...{ competitor, series, index, value: series.values[index] },
           times: first && second ? [first, second] : null,
           ...{ a: first?.median ?? null, b: second?.median ?? null },
           ratio: first && second ? first.median / second.median : null,
@@ -69,7 +68,7 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
   return { metric, rows, competitors, differences: differencesOf(a, b, rows.length) };
 }
 
-/** GPU time if all rows with figures of both runs have it, otherwise frame time. */
+/** GPU time if all rows of both runs with figures have it, otherwise frame time. */
 function commonMetric(a: LabRun, b: LabRun): Metric {
   const drew = [...a.rows, ...b.rows].filter(({ frame }) => frame !== null);
   return drew.length > 0 && drew.every(({ gpu }) => gpu !== null) ? 'gpu' : 'frame';
@@ -142,7 +141,7 @@ function differencesOf(a: LabRun, b: LabRun, compared: number): string[] {
   return found;
 }
 
-/** Whether the runs have cases that differ in the size of the picture alone. */
+/** Whether the runs have cases that differ only in the size of the picture. */
 function differInSize(a: LabRun, b: LabRun): boolean {
   const cases = ({ plan }: LabRun): LabCase[] => plan.series.flatMap((each) => each.cases);
   const [ours, theirs] = [cases(a), cases(b)].map(

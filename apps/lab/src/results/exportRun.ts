@@ -63,7 +63,7 @@ export const exportFormats: Readonly<Record<string, ExportFormat>> = {
   png: chartsFormat('PNG', 'Every chart as a picture, in an archive.', 'png'),
 };
 
-/** File name of letters, digits and hyphens: the run's name with the date, or preset, date and device. */
+/** File name made of letters, digits and hyphens: the run's name with the date, or preset, date and device. */
 export function fileName({ name, plan, surroundings }: LabRun): string {
   const parts = [
     'farol-lab',

@@ -5,11 +5,11 @@ import type { RunStore } from './RunStore';
 
 export interface Imported {
   readonly runs: readonly LabRun[];
-  /** Reasons of refused files, each a sentence with the file's name. */
+  /** Reasons why files were refused, each a sentence with the file's name. */
   readonly problems: readonly string[];
 }
 
-/** Reads runs of files and keeps new ones. A run that cannot be kept is returned all the same. */
+/** Reads runs from files, and keeps new ones. A run that cannot be kept is returned nevertheless. */
 export async function importRuns(files: Iterable<File>, store: RunStore): Promise<Imported> {
   const runs: LabRun[] = [];
   const problems: string[] = [];

@@ -11,15 +11,15 @@ export interface Linked {
   problems: string[];
 }
 
-/** Base of a configuration without a preset: its series come from the address. */
+/** Configuration to start with when the address has no preset: its series come from the address. */
 const custom = (): Configuration => ({ ...presets.lights.configuration, preset: 'custom' });
 
 const baseOf = (preset: string): Configuration =>
   Object.hasOwn(presets, preset) ? presets[preset].configuration : custom();
 
 /**
- * Fragment of an address, with its `#`, that restores a configuration: the preset, and settings that differ from it, as in
- * `#preset=lights&size=1920x1080` or `#preset=custom&series=sponza:lights:10,100`.
+ * Fragment of an address, with its `#`, that restores a configuration: the preset, and the settings that differ from
+ * the preset's, as in `#preset=lights&size=1920x1080` or `#preset=custom&series=sponza:lights:10,100`.
  */
 export function linkOf(configuration: Configuration): string {
   const base = baseOf(configuration.preset);
@@ -54,7 +54,7 @@ const MOST_VALUES = 200;
 
 const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
-/** Adds the first problems of a kind and the number of the others. @param others - end of that sentence, `#` for the number */
+/** Adds the first problems of a kind and the number of the others. @param others - its end, `#` for the number */
 function addProblems(problems: string[], all: readonly string[], others: string): void {
   problems.push(...all.slice(0, MOST_PROBLEMS));
   if (all.length > MOST_PROBLEMS) problems.push(`So ${others.replace('#', String(all.length - MOST_PROBLEMS))}.`);
@@ -110,7 +110,7 @@ function presetOf(values: URLSearchParams, problems: string[]): string {
   return 'quick';
 }
 
-/** `scene:axis:values`, then `n=`, `lights=`, `kind=`, `range=` and `shading=` if they differ from their defaults. */
+/** `scene:axis:values`, then `n=`, `lights=`, `kind=`, `range=` and `shading=` for values other than the defaults. */
 function seriesText({ scene, axis, values, n, lights, lightKind, lightRange, shading }: SeriesChoice): string {
   const planes = scene === 'benchmarkLights' && axis !== 'objects' ? [`n=${n}`] : [];
   const lit = axis === 'lights' || scene === 'own' ? [] : [`lights=${lights}`];
@@ -153,7 +153,7 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     problem = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
   }
   if (problem === null) return [choice];
-  // the messages of a plan quote names in full
+  // cut, since messages of a plan quote names in full
   const reason = problem.length > 400 ? `${problem.slice(0, 400)}…` : problem;
   problems.push(
     `series=${shortened(text)} is left out: ${reason}. A series is scene:axis:values, as in sponza:lights:10,100.`,
@@ -161,7 +161,7 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
   return [];
 }
 
-/** Value along an axis as a number, the index of a name; NaN for an unknown one. */
+/** Parses a value along an axis: a number, or the index of a name; NaN for an unknown name. */
 function valueOf(axis: Axis, text: string): number {
   if (!isNamed(axis)) return numberOf(text);
   const at = namesOf(axis).indexOf(text);
@@ -202,7 +202,7 @@ type Effort = Writable<Configuration['effort']>;
 
 interface EffortField {
   write(effort: Configuration['effort']): string;
-  /** Sets the value. @returns whether the text is valid */
+  /** Parses the text and sets the value. @returns whether the text is valid */
   read(text: string, effort: Effort): boolean;
   /** Description of a valid text. */
   mend: string;

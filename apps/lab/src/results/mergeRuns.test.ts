@@ -54,7 +54,7 @@ describe('remainingPlan', () => {
   });
 
   it('has cases of which a row says that its time was over', () => {
-    const problem = 'Not measured: the run may take 80 s, and they were over.';
+    const problem = 'Not measured: the run’s limit of 80 s was reached.';
     const rows = whole.rows.with(1, { ...whole.rows[1], frame: null, problem });
     expect(remainingPlan({ ...whole, rows }).series.map(({ values }) => values)).toEqual([[4]]);
     // a row that says why it can never be measured is done with

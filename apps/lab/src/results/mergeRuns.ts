@@ -9,12 +9,12 @@ export function caseKey(labCase: LabCase): string {
   return JSON.stringify([scene.name, parameters, lights, shadows, matter, overdraw, width, height]);
 }
 
-/** Problems of rows that a cancelled or late run did not measure. */
+/** Matches the problem of a row that was not measured because the run was cancelled or its time was up. */
 const unfinished = /^(Cancelled|Not measured)/;
 
 /**
- * Plan of the cases left to measure: those in which a competitor has no row or an unfinished one, and the last case of a run
- * that ended early. Each case has all competitors again, since they are measured in turns.
+ * Plan of the cases left to measure: those in which a competitor has no row or an unfinished one, and the last case of
+ * a run that ended early. Each case is planned with all competitors, since they are measured in turns.
  */
 export function remainingPlan({ plan, rows, complete }: Pick<LabRun, 'plan' | 'rows' | 'complete'>): LabPlan {
   const finished = new Set(
@@ -47,8 +47,8 @@ const placeOf = (series: string, index: number, competitor: string): string => `
  * Merges parts of one run: rows of later parts replace those of earlier ones. Cases are matched by series and picture,
  * whatever their index in the part.
  *
- * @param plan - of the whole run
- * @param parts - at least one, of one device
+ * @param plan - plan of the whole run
+ * @param parts - at least one, all measured on one device
  * @throws Error that names the difference if they are not parts of one run
  */
 export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {

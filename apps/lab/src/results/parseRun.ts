@@ -27,7 +27,7 @@ import {
   type Spread,
 } from './LabRun';
 
-/** Longest JSON of a run (characters): ten times that of the longest preset with its thumbnails. */
+/** Maximum length of a run's JSON (characters): ten times that of the longest preset with its thumbnails. */
 export const LONGEST_RUN = 32e6;
 
 /** Limits of the lists of a run. */
@@ -49,7 +49,7 @@ const labCase = fields<LabCase>({
   scene: fields({ name: key, parameters: record(parameter, 50) }),
   lights: orNull(whole(0, 1e7)),
   shadows: whole(0, 1e6),
-  // older runs lack these three
+  // absent in older runs, as are the next two
   lightKind: orMissing(oneOf(...lightKindNames), plainCase.lightKind),
   lightRange: orMissing(orNull(number(0.1, 100, 'm')), plainCase.lightRange),
   shading: orMissing(oneOf(...shadingNames), plainCase.shading),
@@ -99,7 +99,7 @@ const passes = fields<PassTimes>({
 const likeness = fields<Likeness>({
   reference: key,
   psnr: orNull(number(-1000, 1000, 'dB')),
-  // only pictures within the file: fetching an address would tell its host who opens the file
+  // only pictures inside the file: fetching an address would reveal to its host who opens the file
   thumbnail: textLike(
     /^(data:image\/(webp|png|jpeg);base64,[A-Za-z0-9+/]*={0,2})?$/,
     400_000,
@@ -156,7 +156,7 @@ const run = fields<LabRun>({
 });
 
 /**
- * Reads the JSON of a run, which may come from anybody. Unknown fields are dropped.
+ * Parses the JSON of a run, which may be from an untrusted source. Unknown fields are dropped.
  *
  * @param source - the JSON, {@link LONGEST_RUN} characters at most
  * @throws FormatError that names the field, its value and a valid one
@@ -205,7 +205,7 @@ function checkFormat(value: unknown): void {
   }
 }
 
-/** Checks that each row is of a case and competitor of the plan, and that none is twice. */
+/** Checks that each row is of a case and a competitor of the plan, and that no row occurs twice. */
 function checkReferences({ plan, rows }: LabRun): void {
   const lengths = new Map<string, number>();
   plan.series.forEach(({ name, cases, values }, i) => {

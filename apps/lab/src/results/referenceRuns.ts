@@ -4,11 +4,7 @@ import type { RunInfo } from './RunStore';
 
 export interface ReferenceRun {
   readonly info: RunInfo;
-  /**
-   * Fetches the run, once.
-   *
-   * @throws Error (as a rejection) with the remedy
-   */
+  /** Fetches the run; a second call returns the same one. @throws Error (as a rejection) with the remedy */
   read(): Promise<LabRun>;
 }
 

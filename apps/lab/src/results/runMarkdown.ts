@@ -4,11 +4,11 @@ import { formatNumber } from '../words/format';
 import { competitorLabel, namedValue } from '../words/names';
 import type { LabRow, LabRun } from './LabRun';
 
-/** A table of a series, with a cell for each row of the run. */
+/** A table of a series, with a figure for each row of the run. */
 interface Quantity {
   readonly title: string;
   readonly cell: (row: LabRow) => string | null;
-  /** Number of a row; the lowest of a case is set in bold. */
+  /** Number of a row; the lowest one of a case is printed bold. */
   readonly lowest?: (row: LabRow) => number | null;
 }
 
@@ -116,7 +116,7 @@ function headings(series: LabSeries): { title: string; of: (labCase: LabCase, va
   return [{ title: axisLabel(series), of: (_, value) => digits(value) }];
 }
 
-/** Problems, warnings and lights left out, each with its case. */
+/** Problems, warnings and numbers of lights left out, each with its case. */
 function remarks(series: LabSeries, rows: LabRow[]): string[] {
   const found = rows.flatMap(({ competitor, index, problem, warnings, dropped }) => {
     const where = `${escaped(competitorLabel(competitor))}, ${whereText(series, index)}`;

@@ -17,7 +17,7 @@ interface UserAgentData {
   getHighEntropyValues(hints: string[]): Promise<{ fullVersionList?: readonly Brand[]; platformVersion?: string }>;
 }
 
-/** The part of `navigator` that is read. */
+/** The properties of `navigator` that are read. */
 export interface NavigatorInfo {
   readonly userAgent: string;
   readonly hardwareConcurrency?: number;
@@ -30,7 +30,7 @@ const words: Readonly<Record<string, { kind: string }>> = competitorNames;
  * Surroundings of a run that begins now.
  *
  * @param device - result of the stage's `device`
- * @param competitors - keys of the measured ones: versions of other engines are queried if one is among them
+ * @param competitors - keys of the measured competitors; versions of other engines are queried if one is among them
  * @param info - default `navigator`
  */
 export async function surroundingsOf(
@@ -63,7 +63,7 @@ async function browserOf({ userAgent, userAgentData }: NavigatorInfo): Promise<{
   const { fullVersionList = brands, platformVersion = '' } = await userAgentData
     .getHighEntropyValues(['fullVersionList', 'platformVersion'])
     .catch(() => ({}) as { fullVersionList?: readonly Brand[]; platformVersion?: string });
-  // browsers add a fake brand, so that nobody relies on the list
+  // browsers add a fake brand to the list, which is skipped
   const real = fullVersionList.filter(({ brand }) => !/not.*brand/i.test(brand));
   const product = real.find(({ brand }) => brand !== 'Chromium') ?? real[0];
   return {
@@ -78,7 +78,7 @@ function windowsVersion(platformVersion: string): string {
   return major >= 13 ? '11' : major >= 1 ? '10' : platformVersion;
 }
 
-/** Patterns in order of priority: Edge and Opera name Chrome too, Chrome names Safari. */
+/** Patterns in order of priority: strings of Edge and Opera contain Chrome's name, Chrome's contains Safari's. */
 const browsers: readonly [string, RegExp][] = [
   ['Edge', /Edg\w*\/([\d.]+)/],
   ['Opera', /OPR\/([\d.]+)/],

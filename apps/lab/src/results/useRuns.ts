@@ -3,9 +3,9 @@ import { messageOf } from '../run/messageOf';
 import type { RunInfo, RunStore } from './RunStore';
 
 export interface KeptRuns {
-  /** Newest first; null while they are read. */
+  /** Entries of the kept runs, newest first; null while they are being read. */
   readonly runs: readonly RunInfo[] | null;
-  /** Reason, a sentence, why they cannot be read. */
+  /** Reason, a sentence, why the kept runs cannot be read; null if they can. */
   readonly problem: string | null;
 }
 

@@ -8,10 +8,10 @@ import { spoiled } from './spoiled';
 import type { StageFrames } from './StageFrames';
 import { messageOf } from './messageOf';
 
-/** Competitors that may draw the reference picture of a case: the first one that can does. */
+/** Competitors that may draw the reference picture of a case, in order of preference. */
 const references = ['stock', 'forward', 'multipass'];
 
-/** Factor by which a turn must exceed its length to be the competitor's last one in the case. */
+/** Factor by which a turn must exceed its planned length to be the competitor's last one in the case. */
 const OVERLONG = 8;
 
 export interface CaseWorld {
@@ -46,7 +46,7 @@ interface Open {
   over: boolean;
 }
 
-/** One case: every competitor opened, measured in turns, compared, closed. */
+/** Measures one case: opens every competitor, measures them in turns, compares their pictures, and closes them. */
 export class CaseRun {
   private readonly pictures = new Map<string, ImageData>();
   private readonly caseRows: LabRow[] = [];
@@ -71,7 +71,7 @@ export class CaseRun {
         for (const each of open) {
           if (signal.aborted) break;
           this.world.step(each.name);
-          // even the shortest run measures a turn of its first case
+          // even the shortest run measures one turn of its first case
           const isFirst = round === 0 && this.caseRows.length === this.world.rows.length;
           if (!isFirst && this.world.isLate()) this.endEarly(each);
           if (!each.over) await attempt(each, () => this.takeTurn(each, turn));
@@ -117,7 +117,7 @@ export class CaseRun {
   }
 
   private late(): string {
-    return `Not measured: the run may take ${Math.round((this.world.plan.effort.limit ?? 0) / 1000)} s, and they were over.`;
+    return `Not measured: the run’s limit of ${Math.round((this.world.plan.effort.limit ?? 0) / 1000)} s was reached.`;
   }
 
   /** Ends a competitor's turns because the run's time is up. */
@@ -128,7 +128,7 @@ export class CaseRun {
     each.over = true;
   }
 
-  /** Key that cases share which differ only along a numeric axis, where times grow; along an axis of names each has its own. */
+  /** Key for forecasts: the series along a numeric axis, where times grow; the single case along an axis of names. */
   private get line(): string {
     const { series, index } = this.world;
     return isNamed(series.axis) ? `${series.name} ${index}` : series.name;
@@ -186,7 +186,7 @@ export class CaseRun {
     }
   }
 
-  /** Measures the counts and passes of a frame, then frames after changes of the scene. */
+  /** Measures counts and passes of a frame, then frames after changes of the scene. */
   private async takeRest({ row, stage, name }: Open): Promise<void> {
     row.counts = await stage.count(name);
     row.passes = await stage.passes(name);
@@ -199,7 +199,7 @@ export class CaseRun {
     row.changed = await stage.changeTechnique(name);
   }
 
-  /** Draws the reference by a competitor that is not in the plan. @returns its key; null when none can */
+  /** Draws the reference picture with a competitor that is not in the plan. @returns its key; null when none can */
   private async drawReference(): Promise<string | null> {
     const { frames, labCase, signal, plan } = this.world;
     for (const name of references) {
@@ -212,14 +212,14 @@ export class CaseRun {
         stage.close(name);
         return name;
       } catch {
-        // try the next one
+        // the next candidate is tried
       }
     }
     return null;
   }
 }
 
-/** Takes a turn while the tab is visible, since browsers throttle hidden ones; repeats it once if it was hidden meanwhile. */
+/** Measures a turn in a visible tab, since hidden ones are throttled; repeats it once if it was hidden meanwhile. */
 async function visibleTurn(stage: Stage, name: string, length: number, warnings: string[]): Promise<Turn> {
   for (let tried = 0; ; tried++) {
     await visible();
@@ -249,7 +249,7 @@ function visible(): Promise<void> {
   });
 }
 
-/** Turns an error into the row's problem, or into a warning if it has figures already. */
+/** Runs work for a competitor; an error becomes the row's problem, or a warning if the row has figures already. */
 async function attempt(open: Open, work: () => Promise<void>): Promise<void> {
   try {
     await work();

@@ -8,10 +8,10 @@ interface Sample {
 const STEEPEST = 2;
 
 /**
- * Predicts the duration of a competitor's frame in the next case of a series, so that nobody waits for minutes: the last
- * time, extrapolated by the growth between the last two cases, and at most by the cost per unit of value between them. After
- * a single case an ordinary frame is predicted in proportion to the value, and a first frame by the same added time: what it
- * compiles and uploads does not depend on the value.
+ * Predicts the duration of a competitor's frame in the next case of a series, so that cases that would take minutes are
+ * left out: the last time, extrapolated by the growth between the last two cases, and at most by the cost per unit of
+ * value between them. After a single case an ordinary frame is predicted in proportion to the value, and a first frame
+ * by adding the same time, since compiling and uploads do not depend on the value.
  */
 export class Forecast {
   /** Frame times so far, in the order of the cases, by series, competitor and kind. */
@@ -21,8 +21,9 @@ export class Forecast {
   constructor(private readonly longest: number) {}
 
   /**
+   * Records a time.
    * @param kind - `first` or `frame`
-   * @param value - of the case along the axis
+   * @param value - the case's value along the axis
    * @param ms - measured time
    */
   note(series: string, competitor: string, kind: 'first' | 'frame', value: number, ms: number): void {
@@ -64,7 +65,7 @@ export class Forecast {
     const growth = last.value > 0 ? Math.max(1, value / last.value) : 1;
     const byPower = last.ms * growth ** Math.min(STEEPEST, Math.max(0, slope));
     if (!previous || last.value <= previous.value) return byPower;
-    // two short times differ by chance: the square of their ratio would predict seconds
+    // linear limit, since two short times differ by chance, and their ratio squared would predict seconds
     const each = Math.max(0, last.ms - previous.ms) / (last.value - previous.value);
     return Math.min(byPower, last.ms + each * Math.max(0, value - last.value));
   }

@@ -1,7 +1,7 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import type { LabRow } from '../results/LabRun';
 
-/** State of a run before each step. One object for the whole run: read it, do not keep it. */
+/** State of a run before each step. One object is reused in the whole run: copy what must be kept. */
 export interface Progress {
   /** Steps done. */
   done: number;
@@ -13,7 +13,7 @@ export interface Progress {
   competitor: string | null;
   series: LabSeries;
   labCase: LabCase;
-  /** Rows so far; those of the current case change with each turn. */
+  /** Rows so far; rows of the current case change with each turn. */
   rows: readonly LabRow[];
   /** Last picture; null before the first one. */
   picture: ImageData | null;

@@ -1,13 +1,13 @@
 import type { CompetitorName } from '../competitors/competitorNames';
 import type { Stage } from '../stage/Stage';
 
-/** Competitors with a frame each; the others share one. */
+/** Competitors with a frame of their own; the others share one. */
 const isolated: readonly string[] = ['three-webgpu', 'playcanvas', 'babylon'] satisfies CompetitorName[];
 
 /** Time until `stage.html` must offer its stage (ms). */
 const LONGEST_LOAD = 30_000;
 
-/** Iframes of `stage.html`, each created when a competitor that it runs is first asked for. */
+/** Iframes with `stage.html`, each created when one of its competitors is first needed. */
 export interface StageFrames {
   /**
    * Stage of a competitor.
@@ -28,7 +28,7 @@ export interface StageFrames {
  * Makes frames within a page.
  *
  * @param parent - element that holds the frames; they have no size on the page
- * @param url - of `stage.html`
+ * @param url - URL of `stage.html`
  */
 export function createStageFrames(parent: HTMLElement, url = './stage.html'): StageFrames {
   let ownScene: Uint8Array | null = null;
@@ -42,7 +42,7 @@ export function createStageFrames(parent: HTMLElement, url = './stage.html'): St
       element.title = 'Competitors that are measured';
       element.tabIndex = -1;
       element.setAttribute('aria-hidden', 'true');
-      // not display: none: some browsers do not draw in it
+      // visible, but off-screen: some browsers do not draw in a frame with display: none
       element.style.cssText = 'position:fixed;left:-64px;top:0;width:32px;height:32px;border:0;visibility:hidden';
       const stage = loadStage(element, new URL(url, location.href).href).then(async (loaded) => {
         if (ownScene) await loaded.setOwnScene(ownScene);
@@ -71,7 +71,7 @@ function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
   return new Promise((resolve, reject) => {
     const failed = (why: string): void => {
       clearTimeout(timer);
-      reject(new Error(`The frame that is measured did not open (${why}): reload the page, or see its console.`));
+      reject(new Error(`The frame that draws did not load (${why}): reload the page, or see its console.`));
     };
     const timer = setTimeout(() => failed(`no answer in ${LONGEST_LOAD / 1000} s`), LONGEST_LOAD);
     element.addEventListener('error', () => failed('it cannot be fetched'));
@@ -86,7 +86,7 @@ function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
   });
 }
 
-/** Stage of a frame; undefined if the browser shows its error page there, which is of another origin. */
+/** Stage of a frame; undefined if the browser shows its error page there, which has another origin. */
 function stageIn({ contentWindow }: HTMLIFrameElement): Stage | undefined {
   try {
     return contentWindow?.stage;

@@ -49,7 +49,7 @@ export function framesOfBuilds(
 export const nameOf = (competitor: string): string =>
   competitor.endsWith(AGAINST) ? competitor.slice(0, -AGAINST.length) : competitor;
 
-/** Wraps a stage so that it refuses to open a competitor in a case where that crashed. Keys include {@link AGAINST}. */
+/** Wraps a stage so that it refuses to open a competitor in a case where it crashed. Keys include {@link AGAINST}. */
 function watched(stage: Stage, crashes: readonly Crash[]): Stage {
   return {
     async open(competitor, labCase, options) {

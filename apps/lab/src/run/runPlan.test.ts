@@ -148,7 +148,7 @@ describe('runPlan', () => {
     const plan = smallPlan(['stock', 'deferred'], { limit: 3000 });
     const run = await runPlan(plan, options(stage));
     expect(run.complete).toBe(false);
-    expect(run.rows.at(-1)?.problem).toMatch(/may take 3 s/);
+    expect(run.rows.at(-1)?.problem).toMatch(/limit of 3 s/);
   });
 
   it('gives no turn once its time is up in the midst of a case, but for the first', async () => {
@@ -158,8 +158,8 @@ describe('runPlan', () => {
     // the second case begins in time, and opening its first competitor takes the rest of it
     expect(said.slice(said.lastIndexOf('open stock 100'))).toEqual(['open stock 100', 'close stock']);
     expect(run.rows.slice(2).map(({ problem }) => problem)).toEqual([
-      'Not measured: the run may take 4 s, and they were over.',
-      'Not measured: the run may take 4 s, and they were over.',
+      'Not measured: the run’s limit of 4 s was reached.',
+      'Not measured: the run’s limit of 4 s was reached.',
     ]);
     expect(run.complete).toBe(false);
     const short = await runPlan(smallPlan(['stock'], { limit: 1 }), options(fakeStage({ stock: 100 }, [])));

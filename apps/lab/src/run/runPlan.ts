@@ -12,22 +12,22 @@ export interface RunOptions {
   readonly surroundings: LabSurroundings;
   /** Called before each step. */
   onProgress?(progress: Progress): void;
-  /** Called after each case and awaited: the page may draw then without disturbing a measurement. */
+  /** Called after each case and awaited, so that the page can draw without disturbing a measurement. */
   onCase?(progress: Progress): void | Promise<void>;
   /** Cancels the run, which then resolves with the rows so far and without `complete`. */
   readonly signal: AbortSignal;
-  /** WebGL contexts to keep at once; default as for a desktop. */
+  /** Maximum number of WebGL contexts; default as for a desktop. */
   readonly mostContexts?: number;
   /** Clock (ms); default `performance.now`. */
   readonly now?: () => number;
-  /** Makes the data URL of a run's picture; by default of a small copy. */
+  /** Creates the data URL of a run's picture; by default of a reduced copy. */
   readonly thumbnailOf?: (picture: ImageData) => string;
 }
 
 /**
  * Measures every competitor in every case, in turns (A B C A B C), and compares their pictures.
  *
- * A competitor that cannot draw a case, or fails, gets a row with a `problem`; the others go on.
+ * A competitor that cannot draw a case, or fails, gets a row with a `problem`; the others are measured.
  */
 export async function runPlan(plan: LabPlan, options: RunOptions): Promise<LabRun> {
   const { signal, surroundings, mostContexts = MOST_CONTEXTS.desktop, now = () => performance.now() } = options;
@@ -81,14 +81,14 @@ export async function runPlan(plan: LabPlan, options: RunOptions): Promise<LabRu
   };
 }
 
-/** Groups of competitors that are open at once; one context is left for the reference picture. */
+/** Groups of competitors that are open at the same time; one context is left for the reference picture. */
 function groupsOf(competitors: readonly string[], mostContexts: number): string[][] {
   const size = Math.max(1, mostContexts - 1);
   const count = Math.ceil(competitors.length / size);
   return Array.from({ length: count }, (_, group) => competitors.filter((_name, index) => index % count === group));
 }
 
-/** Length of a turn in a case (ms): shorter if the run at its pace so far would exceed the plan's limit. */
+/** Length of a turn in a case (ms): shortened if the run at its current pace would exceed the plan's limit. */
 function turnLength({ effort }: LabPlan, begin: number, now: number, done: number): number {
   if (effort.limit === null || done === 0) return effort.turn;
   const left = effort.limit - (now - begin);

@@ -1,10 +1,10 @@
 import { median } from '../measure/spread';
 
-/** Relative difference between the first and the last turn from which on a drift is reported. */
+/** Relative difference between the first and the last turn above which a drift is reported. */
 const DRIFT = 0.15;
 /** Refresh rates of displays (Hz). */
 const DISPLAYS = [60, 72, 75, 90, 120, 144, 165, 240];
-/** Relative distance from a display's period within which a frame seems to wait for it. */
+/** Relative difference from a display's period below which a frame seems to wait for the display. */
 const NEAR = 0.01;
 
 /** Samples of one competitor in one case. */
@@ -15,7 +15,7 @@ export interface Turns {
   readonly gpu: readonly (readonly number[])[];
 }
 
-/** Warnings, each a sentence: a drift from turn to turn, a wait for the display. */
+/** Warnings about measured times, each a sentence: a drift from turn to turn, a wait for the display. */
 export function spoiled({ frame, cpu, gpu }: Turns): string[] {
   const found: string[] = [];
   const turns = frame.filter((turn) => turn.length > 0).map(median);

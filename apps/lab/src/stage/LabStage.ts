@@ -13,7 +13,7 @@ import type { Opened, Stage, Turn } from './Stage';
 import { StageScenes } from './StageScenes';
 import { webgpuName } from './webgpuName';
 
-/** The stage of one frame: open competitors, each with a canvas outside of the document. */
+/** The stage of a frame: opened competitors, each with a canvas outside of the document. */
 export class LabStage implements Stage {
   private readonly scenes = new StageScenes();
   private readonly competitors = new Map<string, OpenCompetitor>();
@@ -30,7 +30,7 @@ export class LabStage implements Stage {
     given: LabCase,
     { signal, longestFrame }: { signal: AbortSignal; longestFrame: number },
   ): Promise<Opened> {
-    // the page of an older build, to compare with, does not name the kind of lights
+    // the page of an older build, in a comparison of builds, does not send the kind of lights
     const labCase = { ...plainCase, ...given };
     this.close(name);
     const competitor = await loadCompetitor(name);
@@ -38,7 +38,7 @@ export class LabStage implements Stage {
     if (problem !== null) throw new Error(problem);
     signal.throwIfAborted();
     if (!this.isWarm) {
-      // otherwise the first competitor pays for the browser's first shader and for cold code
+      // otherwise the first competitor's time would include the browser's first compilation and cold code
       if (webglProblem() === null) smallFirstFrame(1);
       this.isWarm = true;
     }

@@ -11,18 +11,18 @@ export interface LightPath {
   readonly seed: number;
 }
 
-/** Numbers per axis of a light's path: centre (m), then amplitude (m) and rate (table steps a second) of two waves. */
+/** Numbers per axis of a light's path: centre (m), then amplitude (m) and rate (table steps / s) of two waves. */
 const STRIDE = 5;
-/** Steps of the sine's table in a period; a power of two. Interpolated, it is right to 3e-7. */
+/** Steps of the sine table per period; a power of two. Interpolated values are accurate to 3e-7. */
 const STEPS = 4096;
-/** A call of `Math.sin` takes ten times as long, and 20,000 lights need 120,000 sines a frame. */
+/** A table, since `Math.sin` takes ten times as long, and 20,000 lights need 120,000 sines per frame. */
 const sines = Float64Array.from({ length: STEPS + 1 }, (_, i) => Math.sin((i / STEPS) * 2 * Math.PI));
 /** Shares of the two waves in the extent; their sum is 1, so that a light stays within it. */
 const SHARES = [0.65, 0.35];
 
 /** Places of lights at any time, in closed form: the sum of two sines along each axis. */
 export class LightPaths {
-  /** Shape [lights, 3 axes, STRIDE]. */
+  /** Paths, of shape [lights, 3 axes, STRIDE]. */
   private readonly numbers: Float64Array;
 
   constructor(paths: readonly LightPath[]) {
@@ -55,7 +55,7 @@ export class LightPaths {
   }
 }
 
-/** @param steps - angle in steps of the table */
+/** Sine by table. @param steps - angle in steps of the table */
 function sine(steps: number): number {
   const whole = Math.floor(steps);
   const i = whole & (STEPS - 1);

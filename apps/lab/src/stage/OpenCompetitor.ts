@@ -17,16 +17,16 @@ import type { OwnedScene } from './StageScenes';
 const STEP = 1 / 60;
 /** Time at which pictures are compared (s). */
 const PICTURE_TIME = 1;
-/** Longest wait for a competitor that draws by another technique until its programs are compiled (ms). */
+/** Longest wait for a competitor that draws with a substitute technique while its programs compile (ms). */
 const SETTLING = 1500;
-/** Frames whose passes are timed. */
+/** Number of frames whose passes are timed. */
 const TIMED = 9;
 /** Frames before the first times of passes arrive. */
 const BEFORE_TIMES = 12;
-/** Lights added for the frame after a change of the lights. */
+/** Number of lights added for the frame after a change of the lights. */
 const ADDED = 10;
 
-/** A competitor that has been made ready to draw one case of a run, with its canvas and its scene. */
+/** A competitor opened for one case of a run, with its canvas and its scene. */
 export class OpenCompetitor {
   private drawn = 0;
   private timer: GpuTimer | null | undefined;
@@ -56,7 +56,7 @@ export class OpenCompetitor {
     scene.setTime(PICTURE_TIME);
     drawing.lightsMoved?.();
     drawing.render();
-    // in the same task: in the next one a WebGPU canvas is empty
+    // in the same task, since a WebGPU canvas is empty in the next one
     const picture = readPicture((await drawing.readPicture?.()) ?? this.canvas);
     await this.finish();
     this.check();
@@ -64,10 +64,10 @@ export class OpenCompetitor {
     return { firstMs, dropped: drawing.dropped?.() ?? 0, technique: name, reason, picture };
   }
 
-  /** Samples of about `ms` (ms). */
+  /** Measures frames for about `ms` milliseconds. */
   async turn(ms: number): Promise<Turn> {
     const { drawing } = this;
-    // no timer on a software rasteriser: its queries count the work of other threads too
+    // no timer on a software rasteriser, where queries count the work of other threads
     if (this.timer === undefined) {
       this.timer = drawing.gl && !isSoftware(deviceLimits().renderer) ? GpuTimer.of(drawing.gl) : null;
     }
@@ -170,7 +170,7 @@ export class OpenCompetitor {
     if (drawing.gl) waitForPixel(drawing.gl);
   };
 
-  /** Draws until the competitor draws by the technique of its choice. */
+  /** Draws until the competitor uses the technique of its choice. */
   private async settle(signal: AbortSignal): Promise<void> {
     const { drawing } = this;
     if (!drawing.isSettled) return;
@@ -200,7 +200,7 @@ export class OpenCompetitor {
     return { ms, programs: gl && programs !== null ? counters.programsOf(gl) - programs : null };
   }
 
-  /** @throws Error when the context is lost, a shader does not compile or WebGL has an error */
+  /** Checks for errors. @throws Error when the context is lost, a shader does not compile or WebGL has an error */
   private check(): void {
     const { competitor, drawing } = this;
     drawing.check?.();
@@ -208,7 +208,7 @@ export class OpenCompetitor {
     if (!gl) return;
     if (gl.isContextLost()) {
       throw new Error(
-        `${competitor.label}: the browser took its WebGL context away. Close other tabs, or ask for less.`,
+        `${competitor.label}: the browser took its WebGL context away. Close other tabs, or choose fewer competitors.`,
       );
     }
     const error = gl.getError();

@@ -5,16 +5,15 @@ import type { LightKind, Shading } from '../plan/lightKinds';
 /** A moving light with an object of its own. */
 export type MovingLight = PointLight | SpotLight | RectAreaLight;
 
-/** Scene of a case in plain three objects, one for each competitor. Other engines convert it. */
+/** Scene of a case in plain three objects, one for each competitor. It is converted for other engines. */
 export interface StageScene {
   readonly three: Scene;
   readonly camera: Camera;
-  /** Kind of the moving lights. */
   readonly kind: LightKind;
   readonly shading: Shading;
   /**
-   * The moving lights: the number of the case, and ten more while `addLights` is measured. Empty if they are a LightField
-   * or particles.
+   * The moving lights: as many as in the case, and ten more while `addLights` is measured. Empty if they are a
+   * LightField or particles.
    */
   readonly lights: readonly MovingLight[];
   /** Emitter of the particles that are the lights; null for other kinds. */

@@ -9,15 +9,15 @@ import { loseContext } from './loseContext';
 import type { StageScene } from './StageScene';
 import { type StageTemplate, takeApart } from './StageTemplate';
 
-/** A competitor's scene with its GPU resources, until it is disposed. */
+/** A competitor's scene with its GPU resources, which `dispose` frees. */
 export type OwnedScene = StageScene & { dispose(): void };
 
 export interface StageScenesOptions {
-  /** Makes the renderer by whose device compressed textures of `own` are decoded; null for none. Default a new one. */
+  /** Creates the renderer whose device decodes compressed textures of `own`; null for none. Default a new one. */
   readonly makeRenderer?: () => WebGLRenderer | null;
 }
 
-/** Makes the scenes of cases. Meshes and textures are shared, and the template of the last case is kept. */
+/** Creates the scenes of cases. Meshes and textures are shared, and the template of the last case is cached. */
 export class StageScenes {
   private readonly assets = new AssetLibrary();
   private ownFile: Uint8Array | null = null;
@@ -36,7 +36,7 @@ export class StageScenes {
   }
 
   /**
-   * Makes a competitor's scene of a case; equal for all competitors.
+   * Creates a competitor's scene for a case; equal for all competitors.
    *
    * @throws Error (as a rejection) that names an unknown scene, a parameter out of range, or what is wrong with `own`
    */
@@ -57,7 +57,7 @@ export class StageScenes {
 
   private templateOf(labCase: LabCase): Promise<StageTemplate> {
     const { scene, lights, width, height } = labCase;
-    // kind of lights and shading are set on the copies
+    // without kind of lights and shading, which are set on the copies
     const key = `${scene.name} ${JSON.stringify([scene.parameters, lights, width, height])}`;
     if (this.last?.key === key) return this.last.template;
     const template = this.makeTemplate(labCase);
@@ -88,9 +88,9 @@ export class StageScenes {
       throw new Error('No scene was handed over: choose “Measure this scene” in the editor or the viewer.');
     }
     const { text, fileOf } = await readSceneFile(this.ownFile, () => true);
-    // components of editor plugins stay data; nothing is fetched from other addresses
+    // components of plugins are kept as data; nothing is fetched from other addresses
     const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
-    // compressed textures are decoded to a format of the device
+    // decodes compressed textures to a format that the device supports
     const renderer = this.makeRenderer();
     try {
       return await deserialize(text, {

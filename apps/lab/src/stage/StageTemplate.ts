@@ -2,7 +2,7 @@ import { Light as LightComponent, ObjectRenderer, RandomMovement, type Scene } f
 import { type Camera, Light, type Object3D, PointLight } from 'three';
 import type { LightPath } from './LightPaths';
 
-/** Parts of a scene of the engine, of which the scenes of all competitors are copied. */
+/** Parts of a scene of the engine, from which the scenes of all competitors are copied. */
 export interface StageTemplate {
   readonly scene: Scene;
   /** Visible meshes, lines, points and sprites. */
@@ -15,10 +15,10 @@ export interface StageTemplate {
 }
 
 /**
- * Takes a scene apart. Removes the balls that mark the lights: they are not measured.
+ * Splits a scene into parts. Removes the balls that mark the lights, which are not measured.
  *
- * @param scene - to be kept as long as the template is used
- * @param size - of the picture (pixels)
+ * @param scene - must not be disposed while the template is used
+ * @param size - size of the picture (pixels)
  * @param moves - whether the Lab moves the lights that have the engine's RandomMovement
  * @throws Error when the scene has no camera
  */

@@ -22,10 +22,10 @@ import { SceneCopier } from './SceneCopier';
 import type { MovingLight, StageScene } from './StageScene';
 import type { StageTemplate } from './StageTemplate';
 
-/** Distance of an added light from an existing one, along x and along z (m). */
+/** Distance of an added light from an existing one along x, and along z (m). */
 const BESIDE = 0.3;
 
-/** An object of the engine's scene and its copy, which follows it. */
+/** An object of the engine's scene, and its copy, which is moved with it. */
 interface Follower<T extends Object3D> {
   readonly source: T;
   readonly copy: T;
@@ -35,10 +35,10 @@ interface Follower<T extends Object3D> {
 const SAMPLE_TIMES = [0.37, 1.9, 7.3, 23.1, 61.7];
 
 /**
- * Makes a competitor's scene of a case: equal for every competitor and in every run.
+ * Creates a competitor's scene for a case: equal for every competitor and in every run.
  *
- * @param template - of the case's scene, made with at least as many lights
- * @param profiles - light profiles, of which the scene gets copies
+ * @param template - parts of the case's scene, with at least as many lights
+ * @param profiles - light profiles, which are copied for the scene
  */
 export function buildStageScene(
   labCase: LabCase,
@@ -177,7 +177,7 @@ export function buildStageScene(
   };
 }
 
-/** Objects of a handed-over scene that are elsewhere than at time 0 in any of the samples. */
+/** Objects of a handed-over scene whose pose in any of the samples differs from that at time 0. */
 function movingOf<T extends Object3D>(followers: readonly Follower<T>[], { scene }: StageTemplate): Follower<T>[] {
   const matricesAt = (seconds: number): Matrix4[] => {
     scene.setTime(seconds);
@@ -193,7 +193,7 @@ function movingOf<T extends Object3D>(followers: readonly Follower<T>[], { scene
   return followers.filter((_, i) => differs(2 * i) || differs(2 * i + 1));
 }
 
-/** Moves the copy of a light to its source. */
+/** Moves the copy of a light to its original. */
 function follow({ source, copy }: Follower<Light>): void {
   copy.position.setFromMatrixPosition(source.matrixWorld);
   const { target } = copy as SpotLight;
@@ -217,7 +217,7 @@ function lightBefore(camera: Camera): PointLight {
   return light;
 }
 
-/** Sets the world matrix of a mesh without a parent. */
+/** Freezes the matrix of a mesh without a parent. */
 function fixed(mesh: Mesh): Mesh {
   mesh.matrixWorld.copy(mesh.matrix);
   return mesh;

@@ -11,12 +11,12 @@ import {
 
 const world = new Vector3();
 
-/** Side of a shadow map in cases with shadows (texels). */
+/** Size of a shadow map in cases with shadows (texels per side). */
 export const SHADOW_SIZE = 512;
 
 /**
- * Copies a light as a plain three light in world space, without Farol's options (`userData.farol`), which other competitors
- * cannot draw.
+ * Copies a light as a plain three light in world space, without Farol's options (`userData.farol`), which other
+ * competitors do not support.
  *
  * @returns null for a kind of light that is not measured
  */

@@ -1,10 +1,9 @@
 import { loseContext } from './loseContext';
 
-/** Name and abilities of a graphics device. */
+/** Name and limits of a graphics device. */
 export interface DeviceLimits {
   /** Name by WEBGL_debug_renderer_info. */
   readonly renderer: string;
-  /** Whether the device has timer queries. */
   readonly timer: boolean;
   /** Maximum number of uniform vectors of a fragment shader. */
   readonly fragmentUniforms: number;
@@ -16,11 +15,7 @@ export interface DeviceLimits {
 
 let known: DeviceLimits | null = null;
 
-/**
- * Abilities of the device, queried once by a context that is lost again.
- *
- * @throws Error when the browser gives no WebGL 2
- */
+/** Limits of the device, queried once with a temporary context. @throws Error when WebGL 2 is not available */
 export function deviceLimits(): DeviceLimits {
   if (known) return known;
   const canvas = document.createElement('canvas');
@@ -40,7 +35,7 @@ export function deviceLimits(): DeviceLimits {
   return known;
 }
 
-/** Reason, a sentence, why WebGL 2 is missing; null if it is there. */
+/** Reason, a sentence, why WebGL 2 is not available; null if it is. */
 export function webglProblem(): string | null {
   try {
     deviceLimits();

@@ -5,13 +5,13 @@ import { waitForPixel } from '../measure/waitForPixel';
 import { loseContext } from './loseContext';
 import type { OwnedScene } from './StageScenes';
 
-/** Frames that a verdict takes, with some to spare: 15 trials, one in 64 frames. */
+/** Number of frames, more than learning takes: 15 trials, one in 64 frames. */
 const FRAMES = 1080;
-/** Frames without a trial after which `auto` is taken to be sure in a case. */
+/** Number of frames without a trial after which `auto` is considered sure of its choice. */
 const SURE = 192;
 
 /**
- * Draws a case by `auto`, which measures the techniques that it hesitates between; it keeps what it learns in `localStorage`.
+ * Draws a case by `auto`, which measures the techniques that it is unsure about, and stores results in `localStorage`.
  * @param scene - disposed at the end
  * @param onShare - called with the share of the frames that are drawn, 0 to 1
  */
@@ -28,7 +28,7 @@ export async function learnCase(scene: OwnedScene, signal: AbortSignal, onShare:
       farol.render(scene.three, scene.camera);
       hesitates ||= farol.info.reason.startsWith('measured against');
       waitForPixel(gl);
-      await nextTask(); // times of the GPU arrive between tasks
+      await nextTask(); // GPU times arrive between tasks
       if (frame % 32 === 0) onShare(frame / FRAMES);
     }
     check();

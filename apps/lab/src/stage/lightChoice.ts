@@ -1,4 +1,4 @@
-/** Parameters that give a scene a number of lights: `lights`, or `m` for a square of m × m. */
+/** Parameters that set a scene's number of lights: `lights`, or `m` for a square of m × m. */
 export function lightParameters(known: readonly string[], lights: number): Record<string, number> {
   if (known.includes('lights')) return { lights };
   return known.includes('m') ? { m: Math.ceil(Math.sqrt(lights)) } : {};

@@ -1,4 +1,4 @@
-/** Frees a context and its memory. Listeners are not called: the loss is intended. */
+/** Frees a context and its memory. Its listeners are not called, since the loss is intended. */
 export function loseContext(gl: WebGL2RenderingContext): void {
   gl.canvas.addEventListener('webglcontextlost', (event) => event.stopImmediatePropagation(), {
     capture: true,

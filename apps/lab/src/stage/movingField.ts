@@ -2,7 +2,7 @@ import { LightField } from '@farol/renderer/light-field';
 import { type PointLight, Vector3 } from 'three';
 import type { LightPaths } from './LightPaths';
 
-/** Capacity for lights that are added while the scene is measured. */
+/** Number of lights that can be added while the scene is measured. */
 const SPARE = 10;
 
 /** The lights of a case as one LightField. */
@@ -10,7 +10,7 @@ export interface MovingField {
   readonly field: LightField;
   /** Moves all lights to their places at a time (s). */
   place(paths: LightPaths, seconds: number): void;
-  /** Adds a light; 10 at most. */
+  /** Adds a light; at most 10. */
   add(light: PointLight): void;
   /** Removes the last lights. */
   remove(count: number): void;
@@ -18,7 +18,7 @@ export interface MovingField {
 
 const position = new Vector3();
 
-/** @param lights - point lights whose colour, intensity, range and decay the field gets */
+/** Creates the LightField. @param lights - point lights whose colour, intensity, range and decay are copied */
 export function movingField(lights: readonly PointLight[]): MovingField {
   const field = new LightField(lights.length + SPARE);
   field.count = 0;

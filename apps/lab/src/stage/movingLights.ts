@@ -8,14 +8,14 @@ const SPOT = { angle: 0.7, penumbra: 0.3 };
 /** Sides of a rectangle (m). */
 const RECTANGLE = { width: 0.4, height: 0.25 };
 
-/** Turns a point light, by its index in the list, into a light of a kind with the same greatest intensity. */
+/** Creates a light of another kind from a point light (by its index in the list), with the same peak intensity. */
 type Maker = (point: PointLight, index: number) => MovingLight;
 
 function spot(point: PointLight): SpotLight {
   const { color, intensity, distance, decay } = point;
   const light = new SpotLight(color, intensity, distance, SPOT.angle, SPOT.penumbra, decay);
   light.position.copy(point.position);
-  // a child moves with the light
+  // a child, so that the target moves with the light
   light.add(light.target);
   light.target.position.set(0, -1, 0);
   return light;
@@ -33,9 +33,9 @@ function rectangle(point: PointLight): RectAreaLight {
 }
 
 /**
- * Maker of the lights of a kind.
+ * Returns the function that creates lights of a kind.
  *
- * @param profiles - textures of the profiles, assigned in turns
+ * @param profiles - textures of light profiles, assigned in rotation
  */
 export function lightMaker(kind: SingleLightKind, profiles: readonly Texture[]): Maker {
   if (kind === 'spots') return spot;

@@ -2,7 +2,7 @@ import { ParticleEmitter } from '@farol/renderer/particles';
 import { Box3, type PointLight, Vector3 } from 'three';
 import type { LightPath } from './LightPaths';
 
-/** Lifetime of a particle (s); another one follows it, so that their number is constant. */
+/** Lifetime of a particle (s); it is then replaced by another one, so that their number is constant. */
 const LIFE = 4;
 /** Lowest and highest speed upwards (m/s). */
 const SPEED = [0.1, 0.6] as const;
@@ -12,15 +12,15 @@ const SIZE = [0.02, 0.05] as const;
 /** The lights of a case as particles that the GPU moves. */
 export interface MovingParticles {
   readonly emitter: ParticleEmitter;
-  /** Advances the particles to a time (s); an earlier time than that of the last call leaves them. */
+  /** Advances the particles to a time (s); does nothing for an earlier time than that of the last call. */
   setTime(seconds: number): void;
 }
 
 /**
- * Makes a particle for each light, in the box in which the lights move; their number is constant. Their motion does not
- * depend on the time steps, so that all competitors draw equal pictures at a time.
+ * Creates a particle for each light, in the box in which the lights move; their number is constant. Their motion does
+ * not depend on the time steps, so that all competitors draw equal pictures at a time.
  *
- * @param lights - whose mean colour and intensity, and whose range the particles get
+ * @param lights - lights whose mean colour and intensity, and whose range, the particles have
  */
 export function movingParticles(lights: readonly PointLight[], paths: readonly LightPath[]): MovingParticles {
   const count = lights.length;

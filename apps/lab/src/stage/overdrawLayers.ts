@@ -4,8 +4,8 @@ import { type Camera, Matrix4, Mesh, MeshStandardMaterial, PlaneGeometry, Vector
 const MARGIN = 1.05;
 
 /**
- * Lit quads that cover the picture one behind the other. They are drawn first and from back to front, so that none hides
- * another before it is drawn. They stand in the farther half of the lights' depths, where lights shine on their fronts.
+ * Lit quads that cover the picture one behind the other. They are drawn first and from back to front, so that the depth
+ * test discards none. They are in the farther half of the lights' depths, so that lights are in front of them.
  *
  * @param count - number of layers
  * @param places - world positions of the lights

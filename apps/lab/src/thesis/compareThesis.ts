@@ -21,7 +21,7 @@ const scenes: Readonly<Record<ThesisRow['table'], string>> = {
   temple: 'temple',
 };
 
-/** All rows of the thesis in order, each with the first case of the run that has its scene, planes and lights. */
+/** All rows of the thesis in order, each with the first case of the run with the same scene, planes and lights. */
 export function compareThesis(run: LabRun, metric: Metric): ThesisPair[] {
   const cases = casesOf(run);
   return thesis2015.map((thesis) => {

@@ -1,8 +1,8 @@
-/** Lowest and highest frame rate of the thesis (Hz); null if its counter could not follow. */
+/** Lowest and highest frame rate of the thesis (Hz); null when its counter failed. */
 export type Frames = readonly [low: number, high: number] | null;
 
 export interface ThesisRow {
-  /** `planes`: N × N planes under M × M lights; the others: a mesh under N lights. */
+  /** Table of the thesis. 'planes': N × N planes under M × M lights; others: a mesh under N lights. */
   readonly table: 'planes' | 'sponza' | 'temple';
   /** Number of planes, N × N; 0 for the meshes. */
   readonly planes: number;
@@ -21,7 +21,7 @@ const temple = (lights: number, forward: Frames, deferred: Frames): ThesisRow =>
   ...{ table: 'temple', planes: 0, lights, forward, deferred },
 });
 
-/** The three tables of section 4.2.2 of the thesis (2015), in frames per second; browsers drew 60 at most. */
+/** The three tables of section 4.2.2 of the thesis (2015), in frames per second; browsers limited it to 60. */
 export const thesis2015: readonly ThesisRow[] = [
   planes(1, 1, [60, 60], [25, 30]),
   planes(1, 2, [60, 60], [25, 29]),

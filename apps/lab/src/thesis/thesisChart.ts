@@ -10,12 +10,12 @@ import { compareThesis, type ThesisPair, timeIn } from './compareThesis';
 import type { Frames } from './thesis2015';
 
 const headings = { planes: 'N × N planes, M × M lights', sponza: 'Sponza (here: atrium)', temple: 'Temple' } as const;
-/** Competitors comparable with the thesis's forward rendering; first its own algorithm, the whole scene drawn once per light. */
+/** Competitors comparable with the thesis's forward rendering, first with its own algorithm. */
 const forwards = ['multipass', 'forward', 'forward-single-pass', 'stock'];
 
 /** Frame rates of 2015 beside a run's, row by row; null for CPU times, and for a run with fewer than three of the rows. */
 export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'): ChartSpec | null {
-  // CPU time is that of the draw call: no frame rate follows from it
+  // CPU time is that of the drawing call, from which no frame rate follows
   if (settings.metric === 'cpu') return null;
   const all = compareThesis(run, settings.metric);
   const measured = all.filter(({ entries }) => entries.length > 0);
@@ -85,7 +85,7 @@ function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
 
 function barOf(frames: Frames, competitor: string, lane: number, tip: ChartTip): RowBar[] {
   if (frames === null) return [];
-  // 3 % wider on both sides: the bar stays visible even if both bounds are equal
+  // 3 % wider on both sides, so that the bar is visible even if both bounds are equal
   const [from, to] = [frames[0] * 0.97, frames[1] * 1.03];
   return [{ from, to, lane, opacity: 0.4, fill: (paint) => paint.competitor(competitor), tip }];
 }

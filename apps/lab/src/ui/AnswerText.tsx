@@ -4,7 +4,7 @@ import { answerOf, FEW, MANY } from '../words/answerOf';
 import { deviceName } from '../words/device';
 import { competitorWord } from '../words/names';
 
-/** The answer of the displayed run in large type: who is fastest, in how many cases, with few lights and with many. */
+/** The result of the displayed run in large type: who is fastest, in how many cases, with few and with many lights. */
 export function AnswerText({ run, isReference }: { run: LabRun; isReference: boolean }) {
   const answer = answerOf(run);
   if (answer === null) return null;

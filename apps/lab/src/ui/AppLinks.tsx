@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { useEffect, useState } from 'preact/hooks';
 
-/** The lamp of Farol's name, as in the editor: strokes in a square of 16 by 16. */
+/** Path of the lamp icon beside Farol's name, as in the editor: strokes in a square of 16 by 16. */
 const LAMP = 'M8 1.8L4.4 4.6l.9 5.6h5.4l.9-5.6zM6.6 10.2v4M9.4 10.2v4';
 
 const apps = (): [string, string][] => [
@@ -10,13 +10,13 @@ const apps = (): [string, string][] => [
   ['gallery', t('Gallery of examples')],
 ];
 
-/** Name of the Lab, and links to the other apps of Farol, whose addresses `apps.json` beside the page says. */
+/** Name of the Lab, and links to Farol's other apps, whose addresses are in `apps.json` beside the page. */
 export function AppLinks() {
   const [addresses, setAddresses] = useState<Readonly<Record<string, string>>>({});
   useEffect(() => {
     fetch('./apps.json')
       .then(async (answer) => answer.ok && setAddresses((await answer.json()) as Record<string, string>))
-      .catch(() => {}); // without the list there are no links
+      .catch(() => {}); // no links without the list
   }, []);
   return (
     <div class="bar-choices">

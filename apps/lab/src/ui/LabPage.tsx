@@ -31,7 +31,7 @@ import { ThemeSelect } from './ThemeSelect';
 
 const store = new RunStore();
 
-/** @param onLanguage - shows the page in another language and draws it anew */
+/** The whole page. @param onLanguage - switches the language, and renders the page again */
 export function LabPage({ onLanguage }: { onLanguage(language: Language): Promise<void> }) {
   const { configuration, problems, setConfiguration } = useConfiguration();
   const displayed = useShownRun();
@@ -131,7 +131,7 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
             onChange={setConfiguration}
             onMeasure={() => void measure(configuration)}
           />
-          {/* another language makes charts and tables anew */}
+          {/* the key renders charts and tables anew in another language */}
           <div class="shown" key={textLanguage()}>
             {pair ? (
               <ComparedRuns runs={pair} onClose={() => setPair(null)} />
@@ -181,7 +181,7 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
   );
 }
 
-/** Displays runs and moves the focus to their title, since the focused element may be gone or far away. */
+/** Displays runs and moves the focus to their title, since the focused element may be removed or far away. */
 function useFocusedRun(showRun: (run: LabRun) => void) {
   const focus = useRef<HTMLHeadingElement>(null);
   const [count, setCount] = useState(0);
@@ -202,7 +202,7 @@ function useFocusedRun(showRun: (run: LabRun) => void) {
   return { focus, show };
 }
 
-/** WebGL contexts that the browser keeps at once. */
+/** Maximum number of WebGL contexts in this browser. */
 function mostContexts(): number {
   return matchMedia('(pointer: coarse) and (width < 900px)').matches ? MOST_CONTEXTS.phone : MOST_CONTEXTS.desktop;
 }

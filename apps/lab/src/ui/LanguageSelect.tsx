@@ -2,12 +2,12 @@ import { type Language, languages, t, textLanguage } from '@farol/editing';
 import { messageOf } from '../run/messageOf';
 
 interface LanguageSelectProps {
-  /** Shows the page in a language. @throws Error (as a rejection) when its texts cannot be fetched */
+  /** Switches the page's language. @throws Error (as a rejection) when its texts cannot be fetched */
   onLanguage(language: Language): Promise<void>;
   onProblem(problem: string): void;
 }
 
-/** Chooses the page's language. */
+/** Select for the page's language. */
 export function LanguageSelect({ onLanguage, onProblem }: LanguageSelectProps) {
   const choose = (language: Language): void => {
     onLanguage(language).catch((error: unknown) => onProblem(messageOf(error)));

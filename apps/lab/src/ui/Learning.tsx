@@ -9,7 +9,7 @@ import { competitorWord } from '../words/names';
 import { deviceName } from '../words/device';
 import type { StageState } from './support/useStage';
 
-/** Cases in which `auto` learns: numbers of lights at which it may hesitate; small ones where the processor draws. */
+/** Cases in which `auto` learns: numbers of lights where it may be unsure; small pictures when the CPU draws. */
 function casesFor(software: boolean): readonly LabCase[] {
   const { configuration } = presets.quick;
   const [scene, values] = software ? ['benchmarkLights', [4, 64]] : ['sponza', [2, 8, 32, 128, 512, 2000]];
@@ -18,7 +18,7 @@ function casesFor(software: boolean): readonly LabCase[] {
   return planOf({ ...configuration, ...size, series }).series[0].cases;
 }
 
-/** The button by which `auto` learns on this device, what it learnt, and the button that makes it forget. */
+/** Button that lets `auto` learn on this device, the results, and a button that deletes them. */
 export function Learning({ stage, isBusy }: { stage: StageState; isBusy: boolean }) {
   const [learnt, setLearnt] = useState<readonly LearntChoice[]>([]);
   const [share, setShare] = useState<number | null>(null);

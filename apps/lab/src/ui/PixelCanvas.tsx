@@ -1,7 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 
 interface PixelCanvasProps {
-  /** Null until there is a picture: the canvas then has the size `width` × `height`, or the browser's default. */
+  /** Null without a picture: the canvas then has the size `width` × `height`, or the browser's default. */
   pixels: ImageData | null;
   label: string;
   class?: string;
@@ -9,7 +9,7 @@ interface PixelCanvasProps {
   height?: number;
 }
 
-/** A picture on a canvas of its size. */
+/** A canvas of a picture's size that shows the picture. */
 export function PixelCanvas({ pixels, label, ...attributes }: PixelCanvasProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {

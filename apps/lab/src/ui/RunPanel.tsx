@@ -6,7 +6,7 @@ import { PixelCanvas } from './PixelCanvas';
 import { formatDuration } from './support/formatDuration';
 import type { Running } from './support/useRun';
 
-/** Time between two announcements of the progress by a screen reader (ms). */
+/** Interval between announcements of the progress for screen readers (ms). */
 const ANNOUNCED = 15_000;
 
 /** Progress of a run, the time left, and the button that cancels it. */
@@ -21,7 +21,7 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   const announced = useAnnounced(t('{percent}% measured, {left}.', { percent, left }));
   const isHidden = useHidden();
   const title = useRef<HTMLHeadingElement>(null);
-  // the button that started the run lost the focus by being disabled, and is far above on a phone
+  // moves the focus: the start button lost it by being disabled, and is far above on a phone
   useEffect(() => {
     title.current?.focus({ preventScroll: true });
     title.current?.closest('section')?.scrollIntoView({ block: 'nearest' });
@@ -62,7 +62,7 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   );
 }
 
-/** A text that changes every 15 s at most, so that a screen reader is not constantly speaking. */
+/** A text that changes at most every 15 s, so that a screen reader is not constantly speaking. */
 function useAnnounced(text: string): string {
   const [announced, setAnnounced] = useState(text);
   const now = useRef(text);

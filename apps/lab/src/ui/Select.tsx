@@ -7,7 +7,7 @@ interface SelectProps {
   onChange(value: string): void;
 }
 
-/** A list to choose from, with its label above. */
+/** A select with its label above. */
 export function Select({ label, value, options, onChange }: SelectProps) {
   const id = useId();
   return (

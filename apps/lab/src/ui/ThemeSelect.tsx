@@ -4,7 +4,7 @@ import { storedTheme, storeTheme, type Theme } from './support/theme';
 
 const labels: Record<Theme, string> = { system: 'System', light: 'Light##theme', dark: 'Dark' };
 
-/** Chooses the page's colours. */
+/** Select for the page's theme. */
 export function ThemeSelect() {
   const [theme, setTheme] = useState(storedTheme);
   const choose = (next: Theme): void => {

@@ -2,7 +2,7 @@ import type { LabRun } from '../results/LabRun';
 import { casesOf } from './seriesCases';
 import { type Winners, winnersOf } from './winners';
 
-/** Largest number of lights of a case with few lights, and smallest of a case with many. */
+/** Maximum number of lights in a case with few lights, and minimum number in a case with many. */
 export const [FEW, MANY] = [30, 100];
 
 /** Fastest competitor of a run over its cases. */
@@ -10,7 +10,7 @@ export interface Answer {
   /** Key of the competitor that is fastest, or ties with the fastest, in most cases. */
   readonly best: string;
   readonly wins: number;
-  /** Cases that two competitors or more have drawn. */
+  /** Number of cases that at least two competitors have drawn. */
   readonly cases: number;
   /** Fastest over the cases of at most `FEW` lights, and of `MANY` or more; null without such cases. */
   readonly few: string | null;
@@ -32,7 +32,7 @@ export function answerOf(run: LabRun): Answer | null {
   return { best: all.name, wins: all.wins, cases: contests.length, few: within(0, FEW), many: within(MANY, Infinity) };
 }
 
-/** Competitor with most wins; of several with as many, the one that loses least where it does not win. */
+/** Competitor with most wins; of several, the one that is slower than the winner by the least elsewhere. */
 function fastestOf(contests: readonly Winners[]): { name: string; wins: number } | null {
   const found = new Map<string, { wins: number; loss: number }>();
   for (const { best, names, entries } of contests) {

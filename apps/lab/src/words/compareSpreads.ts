@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { LabRow, LabRun, Metric, Spread } from '../results/LabRun';
 import { isSoftware } from './device';
 
-/** Relative difference of medians that counts as equal: two runs of one case differ by as much. */
+/** Relative difference of medians that counts as equal, since two runs of one case differ by as much. */
 export const SAME = 0.03;
 
 /** Whether a time exists and is positive. */
@@ -10,13 +10,13 @@ export function isUsable(spread: Spread | null | undefined): spread is Spread {
   return spread !== null && spread !== undefined && Number.isFinite(spread.median) && spread.median > 0;
 }
 
-/** A row's time by a metric; null without a usable one. */
+/** A row's time by a metric; null unless it is usable. */
 export function timeOf(row: LabRow | undefined, metric: Metric): Spread | null {
   const spread = row?.[metric];
   return row && row.problem === null && isUsable(spread) ? spread : null;
 }
 
-/** Bounds of a spread; the median in place of an unusable bound. */
+/** Bounds of a spread; the median replaces an unusable bound. */
 export function boundsOf({ median, low, high }: Spread): { low: number; high: number } {
   return {
     low: Number.isFinite(low) && low > 0 ? Math.min(low, median) : median,

@@ -1,13 +1,13 @@
 import { formatCount, t, textLocale } from '@farol/editing';
 
-/** A number with `digits` significant digits at most and thousands separated: `0.123`, `1.2`, `12,300`. */
+/** A number with at most `digits` significant digits and thousands separators: `0.123`, `1.2`, `12,300`. */
 export function formatNumber(value: number, digits = 3): string {
   if (!Number.isFinite(value)) return '–';
   if (Math.abs(value) >= Math.min(1000, 10 ** (digits - 1))) return formatCount(value);
   return String(Number(value.toPrecision(digits)));
 }
 
-/** A time as `0.12 ms` or `12.3 ms`, from ten seconds on as `12.3 s`. */
+/** A time as `0.12 ms` or `12.3 ms`; as `12.3 s` from ten seconds up. */
 export function formatMs(ms: number): string {
   return ms >= 10_000 ? `${formatNumber(ms / 1000)} s` : `${formatNumber(ms)} ms`;
 }
@@ -15,7 +15,7 @@ export function formatMs(ms: number): string {
 const dateFormat = (): Intl.DateTimeFormat =>
   new Intl.DateTimeFormat(textLocale(), { dateStyle: 'medium', timeStyle: 'short' });
 
-/** A date in this machine's time zone, as `Nov 22, 2026, 6:11 PM`; a text that is no date unchanged. */
+/** A date in the local time zone, as `Nov 22, 2026, 6:11 PM`; other text is returned unchanged. */
 export function formatDate(text: string): string {
   const date = new Date(text);
   return Number.isNaN(date.getTime()) ? text : dateFormat().format(date);

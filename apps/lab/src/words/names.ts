@@ -1,22 +1,26 @@
 import { t } from '@farol/editing';
-import { competitorNames } from '../competitors/competitorNames';
-import { type Axis, isNamed, type LabCase } from '../plan/LabPlan';
+import { competitorNames, type CompetitorWords } from '../competitors/competitorNames';
+import { type Axis, isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { lightKindNames, lightKinds, shadingNames, shadings } from '../plan/lightKinds';
 import type { Metric } from '../results/LabRun';
 import { formatNumber } from './format';
 
+const known: ReadonlyMap<string, CompetitorWords> = new Map(Object.entries(competitorNames));
+
 /** Name of a competitor in menus and tables; its key if this version does not know it. */
 export function competitorLabel(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? t(competitorNames[name as keyof typeof competitorNames].label) : name;
+  const words = known.get(name);
+  return words ? t(words.label) : name;
 }
 
 /** Explanation of a competitor, one sentence; its key if this version does not know it. */
 export function competitorHelp(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? t(competitorNames[name as keyof typeof competitorNames].help) : name;
+  const words = known.get(name);
+  return words ? t(words.help) : name;
 }
 
 const inSentences: Readonly<Record<string, string>> = {
-  // the label's comma would read as the end of an item in a list
+  // without the label's comma, which would separate items in a list
   'forward-single-pass': 'single-pass forward',
   stock: 'three’s WebGLRenderer',
   multipass: 'naive multipass',
@@ -35,9 +39,9 @@ export function isTechnique(name: string): boolean {
   return name !== 'auto' && competitorKind(name) === 'farol';
 }
 
-/** Maker of a competitor; null if this version does not know it. */
+/** Kind of a competitor; null if this version does not know it. */
 export function competitorKind(name: string): 'farol' | 'three' | 'rival' | null {
-  return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].kind : null;
+  return known.get(name)?.kind ?? null;
 }
 
 const units: Readonly<Record<Axis, readonly [one: string, many: string]>> = {
@@ -57,8 +61,8 @@ export function namedValue(axis: 'kind' | 'shading', value: number): string {
 }
 
 /**
- * A value with its unit: `1 light`, `2,500 objects`; pixels of a known case as `1280 × 720`; the name along an axis of
- * names.
+ * A value with its unit: `1 light`, `2,500 objects`; pixels of a known case as `1280 × 720`; the name of the value
+ * along an axis of names.
  */
 export function valueText(axis: Axis, value: number, labCase?: LabCase): string {
   if (axis === 'pixels' && labCase) return `${labCase.width} × ${labCase.height}`;
@@ -66,11 +70,18 @@ export function valueText(axis: Axis, value: number, labCase?: LabCase): string 
   return `${formatNumber(value, 6)} ${t(units[axis][value === 1 ? 0 : 1])}`;
 }
 
+/** Value of a case along its axis, without unit: `100`, `1280 × 720`, `rectangles`. */
+export function caseText({ axis, cases, values }: LabSeries, index: number): string {
+  if (isNamed(axis)) return namedValue(axis, values[index]);
+  const { width, height } = cases[index];
+  return axis === 'pixels' ? `${width} × ${height}` : formatNumber(values[index]);
+}
+
 /** Ending of a title that names the metric, empty for frame times: `, by GPU time`. */
 export const byMetric = (metric: Metric): string =>
   metric === 'frame' ? '' : `, ${t('by {time}', { time: t(metricWords[metric].noun) })}`;
 
-/** Names of the metrics: on buttons, within texts, and an explanation. */
+/** Texts of the metrics: label for buttons, noun within texts, and explanation. */
 export const metricWords: Readonly<Record<Metric, { label: string; noun: string; help: string }>> = {
   frame: {
     label: 'Frame',

@@ -2,7 +2,7 @@ import type { LabSeries } from '../plan/LabPlan';
 import type { LabRow, LabRun, Metric, Spread } from '../results/LabRun';
 import { timeOf } from './compareSpreads';
 
-/** Rows of a series by competitor, a list with an entry per case: undefined for unmeasured ones. */
+/** Rows of a series by competitor: a list with an entry per case, undefined for unmeasured cases. */
 export function rowsOf(run: LabRun, series: LabSeries): ReadonlyMap<string, readonly (LabRow | undefined)[]> {
   const rows = new Map<string, (LabRow | undefined)[]>();
   const listOf = (competitor: string) => {

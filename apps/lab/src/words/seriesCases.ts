@@ -8,7 +8,7 @@ export interface SeriesCase {
   readonly series: LabSeries;
   readonly index: number;
   readonly labCase: LabCase;
-  /** Scene and value: `Atrium, 100 lights`; unique in the run unless two series are of the same scene and values. */
+  /** Scene and value: `Atrium, 100 lights`; unique in the run unless two series have the same scene and values. */
   readonly label: string;
 }
 

@@ -4,7 +4,7 @@ import { lightKinds, shadings } from '../plan/lightKinds';
 import { axisLabel, sceneWords } from '../plan/sceneWords';
 import { formatNumber } from './format';
 
-/** Label of a series in the language that is shown: `Atrium over point lights, 100 lights`. Runs keep the English one. */
+/** Label of a series in the page's language: `Atrium over point lights, 100 lights`. Runs keep the English one. */
 export function seriesLabel(series: LabSeries): string {
   if (textLanguage() === 'en') return series.label;
   const axis = axisLabel(series).toLowerCase();
@@ -17,7 +17,7 @@ export function seriesWord(series: LabSeries): string {
   return sceneOf(series) + lightsOf(series);
 }
 
-/** Scene, with planes, kind of lights, range and shading where these are not the ordinary ones and the same in all cases. */
+/** Scene, with planes, kind of lights, range and shading unless these are the defaults or differ between cases. */
 function sceneOf({ axis, cases, label }: LabSeries): string {
   const { scene, lightKind, lightRange, shading } = cases[0];
   if (!Object.hasOwn(sceneWords, scene.name)) return label;
@@ -31,7 +31,7 @@ function sceneOf({ axis, cases, label }: LabSeries): string {
   return `${t(sceneWords[scene.name].label)}${planes}${parts.length > 0 ? ` (${parts.join('; ')})` : ''}`;
 }
 
-/** Number of lights, where the axis is another. */
+/** Number of lights, unless it is the axis. */
 function lightsOf({ axis, cases }: LabSeries): string {
   const [{ lights }] = cases;
   if (axis === 'lights' || lights === null) return '';

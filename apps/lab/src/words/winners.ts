@@ -10,11 +10,11 @@ export interface Winners {
   readonly best: Entry;
   /** Keys of the fastest competitor and of those that tie with it. */
   readonly names: readonly string[];
-  /** Times of all competitors but `auto`, shortest first. */
+  /** Times of all competitors except `auto`, shortest first. */
   readonly entries: readonly Entry[];
 }
 
-/** Fastest competitors of a case without `auto`, which draws by one of the others; null if none has a time. */
+/** Fastest competitors of a case, without `auto`, which uses another technique; null if none has a time. */
 export function winnersOf(run: LabRun, series: LabSeries, index: number, metric: Metric): Winners | null {
   const entries = entriesOf(run, series, index, metric).filter(({ competitor }) => competitor !== 'auto');
   if (entries.length === 0) return null;

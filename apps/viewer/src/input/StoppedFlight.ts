@@ -2,7 +2,7 @@ import { isTyping } from '@farol/editing';
 import { KeyController } from '@farol/engine';
 import type { Viewer } from '../Viewer';
 
-/** Lets the user move the camera while time is stopped: each move draws a frame, no loop runs otherwise. */
+/** Lets the user move the camera while time is stopped: each movement draws a frame, since no loop runs. */
 export class StoppedFlight {
   private readonly held = new Set<string>();
   private request = 0;
@@ -22,7 +22,7 @@ export class StoppedFlight {
     });
     addEventListener('keyup', ({ code, key }) => {
       this.held.delete(code);
-      // macOS sends no keyup while Command is held
+      // macOS sends no keyup for keys released while Command is held
       if (key === 'Meta') this.held.clear();
     });
     addEventListener('blur', () => this.held.clear());

@@ -5,7 +5,7 @@ import type { Viewer } from '../Viewer';
 
 /** Touch controls: one finger orbits the scene, two zoom and pan. */
 export class TouchOrbit {
-  /** Camera that three's controls move. The engine's camera copies its pose: it has a parent, which the controls ignore. */
+  /** Camera of three's controls, which ignore parents. The engine's camera, which has one, copies its pose. */
   private readonly proxy = new PerspectiveCamera();
   private readonly controls: OrbitControls;
   private readonly bounds = new Sphere();
@@ -13,7 +13,7 @@ export class TouchOrbit {
 
   constructor(private readonly viewer: Viewer) {
     const { canvas } = viewer.app;
-    // in the capture phase: before the controls' own listener
+    // in the capture phase, before the controls' own listener
     canvas.addEventListener('pointerdown', (event) => this.begin(event.pointerType === 'touch'), { capture: true });
     canvas.addEventListener('pointerup', () => this.keysMove(true));
     canvas.addEventListener('pointercancel', () => this.keysMove(true));
@@ -26,7 +26,7 @@ export class TouchOrbit {
     const camera = this.viewer.app.scene.activeCamera;
     const mouse = camera?.gameObject.getComponent(MouseController);
     if (mouse) mouse.enabled = !touch;
-    // else a finger on the left half would walk
+    // otherwise a finger on the left half of the picture would walk
     this.keysMove(!touch);
     if (touch && camera && !this.isFollowed(camera)) this.takePose(camera);
     this.controls.enabled = touch;

@@ -1,7 +1,7 @@
 import type { Texts } from '@farol/editing';
 import { es as editing, esOfApps } from '@farol/editing/es';
 
-/** Spanish of texts that the editor has too, in its words. */
+/** Spanish of texts that the editor has too, in the same words. */
 const shared: Texts = {
   ...editing,
   ...esOfApps,
@@ -10,7 +10,7 @@ const shared: Texts = {
     'Un sol bajo que proyecta sombras, un cielo al atardecer y mapeo de tonos, en vez de luz uniforme.',
 };
 
-/** All texts of the viewer in Spanish, by their English ones. */
+/** All texts of the viewer in Spanish, by their English texts. */
 export const es: Texts = {
   ...shared,
   'Scene {name}: {problem}': 'Escena {name}: {problem}',
@@ -22,11 +22,11 @@ export const es: Texts = {
     'La escena no tiene ningún objeto {name}: hay que soltar el modelo otra vez.',
   'nothing that is a file': 'nada que sea un archivo',
   'there is no .glb, .gltf, .obj, .stl or .ply among {names}: choose one.':
-    'no había ningún .glb, .gltf, .obj, .stl ni .ply, sino {names}.',
+    'no había ningún .glb, .gltf, .obj, .stl ni .ply entre {names}: hay que elegir uno.',
   'it needs {names}: drop the whole folder, or all of its files together.':
     'necesita {names}: hay que soltar la carpeta entera, o todos sus archivos a la vez.',
-  '{name}: there is nothing to see in it: its scene has no mesh.':
-    '{name}: no hay nada que ver: su escena no tiene ninguna malla.',
+  '{name}: its scene has no mesh, so there is nothing to see: choose another file.':
+    '{name}: su escena no tiene ninguna malla, no hay nada que ver: hay que elegir otro archivo.',
   'The picture would have {size} pixels. It is drawn with {fitted}: this device draws {side} a side, and the viewer {most} million in all.':
     'La imagen tendría {size} píxeles. Se dibuja con {fitted}: este dispositivo dibuja {side} por lado, y el visor {most} millones en total.',
   '{name}={text} in the address: {problem} The default is used.':

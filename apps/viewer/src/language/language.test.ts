@@ -18,14 +18,14 @@ const viewer = sources.filter(([path]) => path.startsWith('apps/viewer/src/'));
 const ofFields = (fields: FieldTable): string[] =>
   Object.entries(fields).flatMap(([name, field]) => [englishLabelOfField(name, field), field.help]);
 
-/** The name of a choice as the menu makes it. */
+/** Label of a choice in the menu. */
 const capital = (name: string): string => name[0].toUpperCase() + name.slice(1).replaceAll('-', ' ');
 
 const entries: Record<string, string[]> = Object.fromEntries([
   ...Object.entries(techniques).map(([name, { label }]) => [`technique ${name}`, [label]]),
   ...Object.entries(effectEntries).map(([name, { label, help = label, fields = {} }]) => [
     `effect ${name}`,
-    // colours have no address
+    // fields without an address parameter: colours
     [
       label,
       help,
@@ -51,7 +51,7 @@ function otherTexts(): string[] {
   ].filter((text) => /\p{L}{2}/u.test(text));
 }
 
-/** English texts that lack a Spanish one: the list may only get shorter. */
+/** English texts without a Spanish one; the list may only get shorter. */
 const gaps: readonly string[] = [];
 
 test('the viewer’s texts are there in Spanish but the gaps, and nothing that it does not show', () => {

@@ -1,6 +1,6 @@
 import type { FieldValue } from '@farol/engine/fields';
 
-/** Numbers of lights along the axis of the chart, as factors of the current number. */
+/** Numbers of lights on the axis of the chart, as factors of the current number. */
 const FACTORS = [0.25, 0.5, 1, 2, 4];
 
 const numberOf = (value: FieldValue | undefined, otherwise: number): number =>
@@ -13,12 +13,12 @@ function lightsRound(lights: number): string {
 }
 
 /**
- * Fragment of the Lab's address that measures a demo scene over its lights, the current number in the middle:
+ * Fragment of the Lab's address that measures a demo scene for several numbers of lights around the current one:
  * `#preset=custom&series=temple:lights:12,25,50,100,200`.
  *
  * @param scene - key in the engine's `scenes`
- * @param parameters - of the current scene; missing ones have their defaults
- * @param defaults - of the scene's parameters
+ * @param parameters - values of the current scene; missing ones have their defaults
+ * @param defaults - defaults of the scene's parameters
  * @returns null for a scene that the Lab cannot build
  */
 export function labFragment(

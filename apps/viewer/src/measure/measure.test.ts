@@ -47,7 +47,7 @@ async function triangle(): Promise<LoadedModel> {
   return { name: 'room.obj', gltf, notes, pack: async () => new Blob([glb]) };
 }
 
-/** Scene that the Lab opens from a file. */
+/** The scene that the Lab opens from a file's bytes. */
 async function opened(bytes: Uint8Array) {
   const { text, fileOf } = await readSceneFile(bytes);
   return deserialize(text, { fileOf, mayFetch: () => false });

@@ -6,10 +6,10 @@ import type { ViewerState } from '../state/ViewerState';
 import { labFragment, ownSceneFragment } from './labFragment';
 
 /**
- * Opens the Lab with the current scene: by address if the Lab can build the scene, otherwise handed over as a file.
+ * Opens the Lab with the current scene: by address if the Lab can build the scene, otherwise as a file.
  *
  * @param model - the dropped model; null for a scene of the engine
- * @throws Error (as a rejection) of a sentence with the mend, see `openBeside`
+ * @throws Error (as a rejection) that says what to do, see `openBeside`
  */
 export function measureScene(
   scene: Scene,

@@ -3,7 +3,7 @@ import type { Scene } from '@farol/engine';
 import { containerContent, createId, type FileComponent, type FileObject, writeContainer } from '@farol/engine/files';
 import type { LoadedModel } from '../model/loadModel';
 
-/** Components for user input, and components that only the viewer has. */
+/** Components that a measured scene must not have: user input, and those of the viewer. */
 const notMeasured = new Set(['KeyController', 'MouseController', 'ModelAnimation']);
 
 /**
@@ -33,14 +33,14 @@ export async function sceneFile(scene: Scene, model: LoadedModel | null): Promis
   return writeContainer({ file, files: all });
 }
 
-/** Object that gets the model: a root with the model's name. */
+/** Makes the object for the model: a root with the model's name. */
 function modelObject(objects: readonly FileObject[], name: string): FileObject {
   const object = objects.find((each) => each.parent === null && each.name === name);
   if (!object) throw new Error(t('The scene has no object {name}: drop the model once more.', { name }));
   return object;
 }
 
-/** Copies the camera's current pose into the file: flying around changes no component's saved values. */
+/** Copies the camera's current pose into the file, since flying around changes no saved values. */
 function putCamera(scene: Scene, objects: readonly FileObject[]): void {
   const camera = scene.activeCamera?.gameObject;
   const object = objects.find(({ id }) => id === camera?.id);

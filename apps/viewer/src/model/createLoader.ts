@@ -3,11 +3,11 @@ import type { LoadingManager, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 /**
- * A GLTFLoader with the decoders that a file asks for: Draco, meshopt and KTX2 (Basis Universal) are fetched only when
- * a file uses them.
+ * Makes a GLTFLoader with the decoders that a file needs; Draco, meshopt and KTX2 (Basis Universal) are fetched only
+ * then.
  *
  * @param extensions - `extensionsUsed` of the file
- * @returns the loader, and a function that ends the decoders' workers
+ * @returns the loader, and a function that stops the decoders' workers
  */
 export async function createLoader(
   extensions: readonly string[],

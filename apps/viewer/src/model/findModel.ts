@@ -30,8 +30,8 @@ export function resolveUri(modelPath: string, uri: string): string | null {
 }
 
 /**
- * The dropped file at a path. Files dropped one by one have no folder: without a file at the whole path, one of the same
- * name is taken.
+ * The dropped file at a path. Files dropped one by one have no folder: if no file has the whole path, one with the same
+ * name is used.
  */
 export function lookUp(files: FileMap, path: string): File | null {
   const exact = files.get(path);
@@ -40,7 +40,7 @@ export function lookUp(files: FileMap, path: string): File | null {
   return files.get(name ?? '') ?? null;
 }
 
-/** Paths that a glTF names and the drop lacks. */
+/** Paths that a glTF names and the dropped files lack. */
 export function missingFiles(files: FileMap, modelPath: string, json: GltfJson): string[] {
   const uris = [...(json.buffers ?? []), ...(json.images ?? [])].flatMap(({ uri }) => (uri === undefined ? [] : [uri]));
   const paths = uris.flatMap((uri) => resolveUri(modelPath, uri) ?? []);

@@ -17,7 +17,7 @@ import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
 export interface LoadedModel {
   name: string;
   gltf: GLTF;
-  /** Missing or ignored parts and the remedy, each a sentence that names the file. */
+  /** Sentences on missing or ignored parts, with the name of the file and the remedy. */
   notes: readonly string[];
   /** Packs the model and the files that it names into one GLB. */
   pack(): Promise<Blob>;
@@ -26,7 +26,7 @@ export interface LoadedModel {
 /**
  * Reads the glTF, OBJ, STL or PLY among some files, with the buffers, materials and textures that it names.
  *
- * @param given - files; a ZIP counts as the files in it
+ * @param given - files; a ZIP is replaced by its content
  * @param signal - cancels the reading
  * @throws Error that names the file and the reason; the signal's reason when it is aborted
  */

@@ -55,6 +55,6 @@ it.each([0.01, 1, 500])('the camera sees all of a model of %d m, from above its 
 it('is refused with its name when there is nothing to see', () => {
   const model = { name: 'empty.glb', gltf: { scene: new Group(), animations: [] } } as unknown as LoadedModel;
   expect(() => modelScene(model, { lights: 1, seed: 1 }, new AssetLibrary())).toThrow(
-    /^empty\.glb: there is nothing to see/,
+    /^empty\.glb: its scene has no mesh/,
   );
 });

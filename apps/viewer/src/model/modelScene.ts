@@ -27,7 +27,7 @@ export const modelParameters = {
   seed: { kind: 'number', default: 1, min: 0, integer: true, help: 'Another number, other paths of the lights.' },
 } as const satisfies FieldTable;
 
-/** A value for each of `modelParameters`: the given one, else the default. */
+/** Values of all `modelParameters`: the given ones, else the defaults. */
 export function modelValues(values: Record<string, FieldValue>): ValuesOf<typeof modelParameters> {
   return Object.fromEntries(
     Object.entries(modelParameters).map(([name, field]) => [name, values[name] ?? field.default]),
@@ -51,7 +51,8 @@ export function modelScene(
   assets: AssetLibrary,
 ): Scene {
   const bounds = new Box3().setFromObject(gltf.scene, true);
-  if (bounds.isEmpty()) throw new Error(t('{name}: there is nothing to see in it: its scene has no mesh.', { name }));
+  if (bounds.isEmpty())
+    throw new Error(t('{name}: its scene has no mesh, so there is nothing to see: choose another file.', { name }));
   const sphere = bounds.getBoundingSphere(new Sphere());
   sphere.radius = Math.max(sphere.radius, 1e-3);
 
@@ -102,7 +103,7 @@ function viewpoint({ center, radius }: Sphere, bounds: Box3): GameObject {
   return object;
 }
 
-/** Lights of all hues on a ring around the model; each wanders around its place. */
+/** Lights of all hues on a ring around the model; each moves around its own position. */
 function lightRing({ center, radius }: Sphere, bounds: Box3, { lights, seed }: { lights: number; seed: number }) {
   const random = createRandom(seed);
   const height = bounds.max.y - bounds.min.y;

@@ -1,6 +1,6 @@
 import type { FieldTable, FieldValue } from '@farol/engine/fields';
 
-/** State of the viewer, all of it in the URL. */
+/** State of the viewer; all of it is in the URL. */
 export interface ViewerState {
   /** Name of the shown scene: a key of the engine's `scenes`. */
   scene: string;
@@ -13,15 +13,15 @@ export interface ViewerState {
   parameters: Record<string, FieldValue>;
   /** Key of an anti-aliasing effect of the renderer's `effects`, or 'none'. */
   aa: string;
-  /** Given switches and numbers of effects that smooth no edges, by their names in `KnownNames.effects`. */
+  /** Switches and numbers of other effects that differ from the defaults, by their names in `KnownNames.effects`. */
   effects: Record<string, FieldValue>;
-  /** Whether the scene has the decals of the demo. */
+  /** Whether the demo's decals are in the scene. */
   decals: boolean;
-  /** Particles that live at once, each of them a light; 0 for none. */
+  /** Number of living particles, each of them a light; 0 for none. */
   particles: number;
-  /** Rectangle lights put into the scene; 0 for none. */
+  /** Number of rectangle lights added to the scene; 0 for none. */
   rectangles: number;
-  /** Simulated time (s) at which the scene stands still; null while it moves. */
+  /** Simulated time (s) at which the scene is stopped; null while it runs. */
   time: number | null;
   /** Size of the picture (CSS pixels); null follows the window. */
   width: number | null;
@@ -41,7 +41,7 @@ export interface KnownNames {
   qualities: readonly string[];
   antialiasing: readonly string[];
   budgets: readonly string[];
-  /** Switches and numbers of the other effects, by their names in addresses. */
+  /** Fields of the switches and numbers of the other effects, by their names in addresses. */
   effects: FieldTable;
   /** State of a URL without parameters. */
   defaults: ViewerState;

@@ -1,14 +1,14 @@
 import { formatCount, t } from '@farol/editing';
 
-/** Pixel limit of a picture: a screen of 7,680 × 4,320. A technique needs about 40 bytes per pixel. */
+/** Pixel limit of a picture: 7,680 × 4,320. A technique needs about 40 bytes per pixel. */
 const MOST_PIXELS = 7680 * 4320;
 
 /**
- * The pixel ratio at which a picture can be drawn.
+ * Largest pixel ratio at which a picture can be drawn.
  * @param width - CSS pixels
  * @param height - CSS pixels
  * @param dpr - requested device pixels per CSS pixel
- * @param side - most pixels per side that the device draws
+ * @param side - greatest number of pixels per side on the device
  * @returns the ratio, `dpr` at most, and a message if it is less, otherwise ''
  */
 export function fitSize(width: number, height: number, dpr: number, side: number): { dpr: number; problem: string } {
@@ -22,7 +22,7 @@ export function fitSize(width: number, height: number, dpr: number, side: number
   return { dpr: fits, problem };
 }
 
-/** Maximum number of pixels a side that a device draws; infinite on a lost context, which answers null to every question. */
+/** Greatest number of pixels per side on a device; infinite on a lost context, whose parameters are all null. */
 export function largestSide(gl: WebGLRenderingContext | WebGL2RenderingContext): number {
   const [width, height] = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
   const limits = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => gl.getParameter(name) as number);

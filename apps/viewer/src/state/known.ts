@@ -3,7 +3,7 @@ import { scenes } from '@farol/scenes';
 import { antialiasingNames, effectParameters } from './effectParameters';
 import type { KnownNames } from './ViewerState';
 
-/** Names that the address may hold, and the state of an address without parameters. */
+/** Names that are valid in the address, and the state of an address without parameters. */
 export const known: KnownNames = {
   scenes,
   techniques: Object.keys(techniques),

@@ -7,12 +7,12 @@ const MOST_PARTICLES = 200_000;
 /** Limit of rectangle lights in an address. */
 const MOST_RECTANGLES = 20_000;
 
-/** A wrong value of a parameter, and the allowed ones. */
+/** Error for a wrong value of a parameter, with the allowed values. */
 class BadValue extends Error {}
 
 /**
- * Reads the state of a URL. Instead of a wrong value it gives the default and a problem: a line with the parameter, the
- * value and the allowed ones. Never throws.
+ * Reads the state of a URL. A wrong value is replaced by the default, and reported as a problem: a line with the
+ * parameter, the value and the allowed ones. Never throws.
  *
  * @param search - query of the URL, with or without its '?'
  */
@@ -57,7 +57,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     const text = query.get(name);
     if (text !== null) attempt(name, text, read);
   }
-  // the scene first: two scenes may have a parameter of one name with different ranges
+  // the chosen scene first: two scenes may have parameters of the same name with different ranges
   const scenes = [known.scenes[state.scene], ...Object.values(known.scenes)];
   const fieldOf = (name: string): Field | undefined =>
     entryOf(scenes.find(({ parameters }) => Object.hasOwn(parameters, name))?.parameters ?? {}, name);
@@ -65,7 +65,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     ...new Set([...Object.keys(readers), ...Object.values(known.scenes).flatMap((s) => Object.keys(s.parameters))]),
   ];
   const unknown: string[] = [];
-  /** Occurrences of each name. */
+  /** Number of occurrences of each name. */
   const times = new Map<string, number>();
   for (const [name, text] of query) {
     const before = times.get(name) ?? 0;
@@ -91,7 +91,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
   return { state, problems };
 }
 
-/** Unknown names with a problem each; the others are counted. */
+/** Unknown names that are reported one by one; further ones are only counted. */
 const MOST_UNKNOWN = 3;
 
 /** Maximum length of a name or a value in a problem; longer ones are cut. */

@@ -189,7 +189,7 @@ describe('fitSize', () => {
     expect(fitted.dpr).toBeLessThan(dpr);
     expect(Math.max(width, height) * fitted.dpr).toBeLessThanOrEqual(side);
     expect(width * height * fitted.dpr ** 2).toBeLessThanOrEqual(7680 * 4320 * 1.001);
-    // and no smaller than it must be
+    // and not smaller than necessary
     const wider = fitted.dpr * 1.001;
     expect(Math.max(width, height) * wider > side || width * height * wider ** 2 > 7680 * 4320).toBe(true);
     expect(fitted.problem).toMatch(/would have [\d,]+ × [\d,]+ pixels\. It is drawn with/);

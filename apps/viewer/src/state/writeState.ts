@@ -2,10 +2,10 @@ import type { FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
 /**
- * The query of a URL that restores a state: scene, technique and view, and what differs from its default.
+ * Makes the query of a URL that restores a state: scene, technique, view, and all values that differ from the defaults.
  * `readState(writeState(state))` is `state` without parameters that the scene does not have.
  *
- * @param isScene - false for a dropped model, which no query can hold: the query names no scene then. Default true
+ * @param isScene - false for a dropped model, which a query cannot contain: it then names no scene. Default true
  * @returns the query with its '?'
  */
 export function writeState(state: ViewerState, { scenes, effects, defaults }: KnownNames, isScene = true): string {
@@ -48,14 +48,14 @@ function text(value: FieldValue): string {
   return typeof value === 'boolean' ? (value ? '1' : '0') : String(value);
 }
 
-/** Replaces the query of the page's address, without an entry in the history. @param search - with its ? */
+/** Replaces the query of the page's address without a new history entry. @param search - query with its ? */
 export function writeAddress(search: string): void {
-  // the whole address: a path such as //x/ alone would name another host
+  // the whole address, since a path such as //x/ alone would mean another host
   const address = new URL(location.href);
   address.search = search;
   try {
     history.replaceState(history.state, '', address);
   } catch {
-    // Safari refuses more than 100 changes in 30 s; the next one writes the whole state
+    // Safari refuses more than 100 changes in 30 s; the next change writes the whole state
   }
 }

@@ -13,7 +13,7 @@ const keys = (): [string, string][] => [
   [t('Drop a .glb, .gltf, .obj, .stl, .ply, folder or .zip'), t('show that model')],
 ];
 
-/** The help over the picture: keys, and every parameter of the address. Opened by its button, F1 or `?`. */
+/** The help over the picture: keys, and all parameters of the address. Opened by its button, F1 or `?`. */
 export class HelpPanel {
   private readonly dialog = document.createElement('dialog');
   private readonly button = document.createElement('button');
@@ -50,7 +50,7 @@ export class HelpPanel {
     parent.append(button, this.dialog);
   }
 
-  /** Takes button and help out of the page. */
+  /** Removes the button and the help from the page. */
   remove(): void {
     this.button.remove();
     this.dialog.remove();
@@ -65,7 +65,7 @@ export class HelpPanel {
   }
 }
 
-/** Every parameter of the address with an explanation; the scenes declare theirs. */
+/** Lists all parameters of the address with explanations, including those of the scenes. */
 export function addressHelp({
   scenes,
   techniques,

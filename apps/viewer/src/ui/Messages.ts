@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 
-/** Messages over the picture: each stays until the user closes it or another one of its subject replaces it. */
+/** Messages over the picture; each stays until the user closes it or one of the same subject replaces it. */
 export class Messages {
   private readonly list = document.createElement('div');
   private readonly bySubject = new Map<string, HTMLElement>();
@@ -12,10 +12,10 @@ export class Messages {
   }
 
   /**
-   * Shows a message in place of an earlier one of the same subject; an empty text removes that.
+   * Displays a message in place of an earlier one of the same subject; an empty text only removes the earlier one.
    *
    * @param subject - key of the subject, such as 'file'
-   * @param onClose - called when the user closes it
+   * @param onClose - called when the user closes the message
    */
   show(subject: string, text: string, onClose = (): void => {}): void {
     this.bySubject.get(subject)?.remove();

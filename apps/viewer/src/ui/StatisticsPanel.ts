@@ -6,7 +6,7 @@ const labels: Readonly<Record<string, string>> = Object.fromEntries(
   Object.entries(techniques).map(([name, { label }]) => [name, label]),
 );
 
-/** Values of a text, their thousands apart. */
+/** Formats numbers with separated thousands. */
 const counted = (values: Readonly<Record<string, number>>): Record<string, string> =>
   Object.fromEntries(Object.entries(values).map(([name, value]) => [name, formatCount(value)]));
 
@@ -43,7 +43,7 @@ export class StatisticsPanel {
     this.since = now;
   }
 
-  /** Writes the counts and times now. @param fps - frames per second; null for a single frame */
+  /** Updates the displayed counts and times at once. @param fps - frames per second; null for a single frame */
   show(info: FarolInfo, fps: number | null): void {
     this.summary.textContent = [
       fps === null ? t('Stopped') : t('{rate} frames a second', { rate: fps.toFixed(0) }),

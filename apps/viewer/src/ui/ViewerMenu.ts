@@ -11,7 +11,7 @@ import { known } from '../state/known';
 import type { Viewer } from '../Viewer';
 import { StatisticsPanel } from './StatisticsPanel';
 
-/** Handler of a failure that a message on the page explains already. */
+/** Ignores a failure that a message on the page already explains. */
 const ignore = () => {};
 
 /** Label of an anti-aliasing in the menu. */
@@ -19,13 +19,13 @@ function labelOf(name: string): string {
   return name === 'none' ? t('None') : t(effectEntries[name].label);
 }
 
-/** Choices of the menu: values by label, which is their name with a capital where `labels` has none. */
+/** Choices of the menu: values by label; the default label is the capitalised name. */
 const labelled = (names: readonly string[], labels: Record<string, string> = {}): Record<string, string> =>
   Object.fromEntries(
     names.map((name) => [t(labels[name] ?? name[0].toUpperCase() + name.slice(1).replaceAll('-', ' ')), name]),
   );
 
-/** Keys by their values. */
+/** Exchanges keys and values. */
 const swapped = (table: Readonly<Record<string, string>>): Record<string, string> =>
   Object.fromEntries(Object.entries(table).map(([key, value]) => [value, key]));
 
@@ -49,13 +49,13 @@ export class ViewerMenu {
   };
   private readonly effectValues: Record<string, unknown> = {};
   private readonly effectControllers = new Map<string, Controller>();
-  /** Scene or model whose parameters the menu has. */
+  /** Scene or model whose parameters are in the menu. */
   private scene = '';
   private parameterValues: Record<string, unknown> = {};
 
   private readonly stopFollowing: () => void;
 
-  /** @param onLanguage - called with the language that the user chose: make a menu anew, in its words */
+  /** @param onLanguage - called with the language that the user chose; the host then makes a new menu */
   constructor(
     private readonly viewer: Viewer,
     onLanguage: (language: Language) => void,
@@ -151,13 +151,13 @@ export class ViewerMenu {
       apps.add({ open }, 'open').name(label);
     }
 
-    // an open menu would cover most of a phone's picture, whichever way round it is held
+    // an open menu would cover most of the picture on a phone, in either orientation
     if (innerWidth < 600 || (innerHeight < 600 && matchMedia('(pointer: coarse)').matches)) gui.close();
     this.stopFollowing = viewer.onChange(() => this.refresh());
     this.refresh();
   }
 
-  /** Takes the menu out of the page. */
+  /** Removes the menu from the page. */
   remove(): void {
     this.stopFollowing();
     this.gui.destroy();
@@ -209,18 +209,18 @@ export class ViewerMenu {
     const { parameterValues: values } = this;
     values[name] = this.viewer.state.parameters[name] ?? field.default;
     const controller = this.addField(this.parameters, values, name, field);
-    if (controller === null) delete values[name]; // no control for this type: set by the address alone
+    if (controller === null) delete values[name]; // no control for this type: only the address sets the parameter
     controller?.onFinishChange((value: number | string | boolean) => {
       void this.viewer.setParameters({ [name]: value }).catch(ignore);
     });
   }
 
-  /** Adds a controller of a field. @returns it; null where fields of its kind have none */
+  /** Adds a controller for a field. @returns the controller; null for a kind of field without one */
   private addField(folder: GUI, values: Record<string, unknown>, name: string, field: Field): Controller | null {
     let controller: Controller;
     if (field.kind === 'number') {
       const { min, max, step = field.integer ? 1 : undefined } = field;
-      // no slider over a huge range, such as that of a seed
+      // no slider for a huge range, such as that of a seed
       const slides = min !== undefined && max !== undefined && max - min <= 100_000;
       controller = folder.add(values as Record<string, number>, name, min, slides ? max : undefined, step);
     } else if (field.kind === 'choice') {
@@ -229,7 +229,7 @@ export class ViewerMenu {
       controller = folder.add(values, name);
     } else if (field.kind === 'asset') {
       controller = folder.add(values, name, this.viewer.assets.list(field.assetType));
-    } else return null; // no control for this kind of field; its address parameter works
+    } else return null; // no control for this kind of field: only the address sets it
     controller.domElement.title = t(field.help);
     return controller.name(labelOfField(name, field));
   }

@@ -12,8 +12,8 @@ export interface Property<Target = unknown> {
 }
 
 /**
- * An object or a material of the page with some of its properties, as the editing kernel edits it. The page may hold values
- * that a user could not enter, such as a camera without a far end; undo puts these back as well.
+ * An object or a material of the page with some of its properties, as a target of edits. The page may hold values that
+ * a user could not enter, such as a camera without a far plane; undo restores these too.
  */
 export class PropertyOwner implements FieldTarget {
   readonly fields: Readonly<Record<string, Field>>;

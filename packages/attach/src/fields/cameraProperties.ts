@@ -4,7 +4,7 @@ import { declare } from './declare';
 
 const project = (target: object) => (target as PerspectiveCamera).updateProjectionMatrix();
 
-/** Properties of cameras; a camera shows those that it has in three. */
+/** Properties of cameras; a camera shows those that its three class has. */
 export const cameraProperties = [
   declare(
     'fov',

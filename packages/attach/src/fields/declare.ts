@@ -54,7 +54,7 @@ function accessOf(field: Field, name: string): Pick<Property<Target>, 'get' | 's
   }
 }
 
-/** Declares a choice among three's constants, shown by name. @param values - constant by name */
+/** Declares a choice among three's constants, displayed by name. @param values - constants by name */
 export function declareConstant(
   name: string,
   help: string,

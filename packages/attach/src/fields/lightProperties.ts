@@ -1,7 +1,7 @@
 import { angle, colour, number } from '@farol/editing/fields';
 import { declare } from './declare';
 
-/** Properties of lights; a light shows those that it has in three. */
+/** Properties of lights; a light shows those that its three class has. */
 export const lightProperties = [
   declare('color', colour([1, 1, 1], { label: 'Colour', help: 'Colour of the light.' })),
   declare('groundColor', colour([1, 1, 1], { label: 'Ground colour', help: 'Colour of the light from below.' })),

@@ -8,7 +8,7 @@ const recompile = (target: object) => void ((target as Material).needsUpdate = t
 const share = (help: string) => number(0, { min: 0, max: 1, step: 0.01, help });
 const tint = (help: string, label?: string) => colour([1, 1, 1], { help, label });
 
-/** Properties of materials; a material shows those that it has in three. */
+/** Properties of materials; a material shows those that its three class has. */
 export const materialProperties = [
   declare('color', tint('Colour of the surface; of metals, of its reflections.', 'Colour')),
   declare('emissive', tint('Light that it emits.')),

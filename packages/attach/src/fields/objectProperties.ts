@@ -2,13 +2,13 @@ import { boolean, euler, number, string, vector3 } from '@farol/editing/fields';
 import type { Object3D } from 'three';
 import { declare } from './declare';
 
-/** Updates an object's matrix from the edited values, if the page has turned `matrixAutoUpdate` off. */
+/** Updates an object's matrix from the edited values, when the page has set `matrixAutoUpdate` to false. */
 const place = (target: object) => {
   const object = target as Object3D;
   if (!object.matrixAutoUpdate) object.updateMatrix();
 };
 
-/** Position, rotation and scale of any object, in its parent. */
+/** Position, rotation and scale of any object, relative to its parent. */
 export const transformProperties = [
   declare('position', vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Position in its parent.' }), place),
   declare('rotation', euler([0, 0, 0], { help: 'Rotation about x, y and z in its parent.' }), place),

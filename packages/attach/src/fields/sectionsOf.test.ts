@@ -28,7 +28,7 @@ const objects: THREE.Object3D[] = [
   ...materials.map((Type) => new THREE.Mesh(new THREE.BufferGeometry(), new Type())),
 ];
 
-/** Another value that the field allows. */
+/** A different value that the field allows. */
 function other(field: Field, value: FieldValue): FieldValue {
   switch (field.kind) {
     case 'number': {

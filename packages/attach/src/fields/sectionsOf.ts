@@ -9,7 +9,7 @@ import { type Property, PropertyOwner } from './Property';
 /** Properties under one heading of the inspector. */
 export interface Section {
   readonly title: string;
-  /** Objects or materials with these properties: at least one, all with the same fields. */
+  /** Objects or materials with these properties: at least one; all have the same fields. */
   readonly owners: readonly PropertyOwner[];
 }
 
@@ -19,8 +19,8 @@ const materialsOf = (object: Object3D): Material[] => {
 };
 
 /**
- * Sections of the inspector for selected objects: transform, flags, and properties as lights, as cameras or by their
- * materials. Several objects have the sections that all of them have.
+ * Sections of the inspector for selected objects: transform, flags, and properties of lights, cameras or materials.
+ * Several objects get the sections that all of them have.
  * @param objects - at least one
  */
 export function sectionsOf(objects: readonly Object3D[]): Section[] {

@@ -18,7 +18,7 @@ const properties = [
 
 const labels = Object.fromEntries(Object.entries(techniques).map(([name, { label }]) => [name, [label]]));
 
-/** Texts that the attached editor may ask for besides those of techniques. */
+/** Texts of the attached editor besides those of techniques. */
 function otherTexts(): string[] {
   const sources = [...sourceFiles()].filter(
     ([path]) => /^packages\/(attach|editing)\/src\//.test(path) && !path.endsWith('.test.ts'),

@@ -1,13 +1,13 @@
 import type { Texts } from '@farol/editing';
 import { es as editing } from '@farol/editing/es';
 
-/** All texts of the attached editor in Spanish, by their English ones. */
+/** All texts of the attached editor in Spanish, by their English texts. */
 export const es: Texts = {
   ...editing,
   '{count} materials': '{count} materiales',
   '{name} cannot be duplicated: its class has no clone() that works ({reason}).':
     '{name} no se puede duplicar: su clase no tiene un clone() que funcione ({reason}).',
-  'The page is drawn from this camera: it cannot be deleted.': 'La página mira por esta cámara: no se puede eliminar.',
+  'The page is drawn from this camera: delete other objects.': 'La página mira por esta cámara: elimina otros objetos.',
   'Delete##key': 'Supr',
   'Draw with Farol': 'Dibujar con Farol',
   '{rate} frames/s, {calls} draws, {triangles} triangles, {visible} of {total} lights':

@@ -3,7 +3,7 @@ import { es } from './es';
 
 const texts = { en: {}, es } as const satisfies Readonly<Record<string, Texts>>;
 
-/** Languages that the attached editor speaks. */
+/** Languages of the attached editor. */
 export type AttachLanguage = keyof typeof texts;
 
 /** Name of each language in that language itself. */

@@ -8,7 +8,7 @@ export type Drawer = TechniqueName | 'three';
 
 type Renderer = typeof import('@farol/renderer');
 
-/** Switches the page between Farol and three. Farol's code is fetched when it is first asked for. */
+/** Switches the page between Farol and three. Farol's code is fetched on first use. */
 export class Drawing {
   /** Emits when the page changes between Farol and three, or to another technique. */
   readonly changed = new Signal();
@@ -17,7 +17,7 @@ export class Drawing {
   private own: FarolRenderer | null = null;
   private isDisposed = false;
 
-  /** @param given - the page's own FarolRenderer, if it draws by one already; then three cannot be asked for */
+  /** @param given - the page's own FarolRenderer, if it has one; three is then no choice */
   constructor(
     private readonly session: Session,
     private readonly hook: RenderHook,

@@ -1,26 +1,26 @@
 import type { Command, CommandSelection } from '@farol/editing';
 import type { Object3D } from 'three';
 
-/** An object's place in the tree: `index` among the children of `parent`, from 0. */
+/** Position in the tree: `index` among the children of `parent`, from 0. */
 export interface Placement {
   readonly object: Object3D;
   readonly parent: Object3D;
   readonly index: number;
 }
 
-/** Present place of an object in the tree. @param object - with a parent */
+/** Present position of an object in the tree. @param object - must have a parent */
 export function placementOf(object: Object3D): Placement {
   const parent = object.parent!;
   return { object, parent, index: parent.children.indexOf(object) };
 }
 
-/** Command that adds objects, with their descendants, to the scene, or removes them; each is the undo of the other. */
+/** Command that adds objects, with their descendants, to the scene, or removes them; each undoes the other. */
 export class PlaceObjects implements Command<Object3D> {
   private readonly placements: readonly Placement[];
 
   /**
    * @param kind - whether `do` adds or removes
-   * @param placements - parent and index of each object, counted with all of the objects in the tree
+   * @param placements - parent and index of each object, with all of the objects in the tree
    */
   constructor(
     readonly label: string,

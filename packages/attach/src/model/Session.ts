@@ -12,8 +12,8 @@ export class Session {
     if (selection) this.selection.set(isDone ? selection.done : selection.undone);
   });
   /**
-   * Part of the canvas that the page's last draw of the scene by the camera filled: left, bottom, width and height, as
-   * shares of the canvas's own.
+   * Viewport of the page's last draw of the scene with the camera: left, bottom, width and height, as shares of the
+   * canvas's size.
    */
   readonly view = new Vector4(0, 0, 1, 1);
   /** Emits when the scene was edited, also by undo and redo, and while an edit is under way. */

@@ -24,7 +24,7 @@ function copyOf(object: Object3D): Object3D {
   const copies: Object3D[] = [];
   copy.traverse((each) => copies.push(each));
   let i = 0;
-  // a copied light shares the target of its original: three would copy the target too, and no one would move the copy
+  // a copied light shares its original's target: three would copy the target too, and nothing would move that copy
   object.traverse((each) => {
     const { target } = each as DirectionalLight;
     const made = copies[i++] as DirectionalLight | undefined;
@@ -34,7 +34,7 @@ function copyOf(object: Object3D): Object3D {
 }
 
 /**
- * Puts a copy of each selected object after it, and selects the copies: one step of history.
+ * Inserts a copy after each selected object, and selects the copies, as one step of history.
  * @throws Error as `copyOf` does
  */
 export function duplicateSelected({ commands, selection, topmost: objects }: Session): void {

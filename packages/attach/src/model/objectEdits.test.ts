@@ -29,7 +29,7 @@ function makeSession(...children: Object3D[]): Session {
   return new Session(scene, new PerspectiveCamera(), {} as WebGLRenderer);
 }
 
-/** 'a(b,c),d' */
+/** Tree as text: 'a(b,c),d'. */
 const treeOf = ({ children }: Object3D): string =>
   children.map((child) => child.name + (child.children.length > 0 ? `(${treeOf(child)})` : '')).join();
 

@@ -6,12 +6,12 @@ import { icon, type IconName } from '../ui/icon';
 import { element } from '../ui/element';
 import type { Gizmo } from '../viewport/Gizmo';
 
-/** The keys of the gizmo while the focus is in the panels: those of Farol's own editor. */
+/** Keys of the gizmo while the focus is in the panels, as in Farol's own editor. */
 const modeKeys: Readonly<Record<string, TransformMode>> = { w: 'translate', e: 'rotate', r: 'scale' };
 
 /**
  * Action of the gizmo for a key; null for other keys.
- * @param key - in small letters
+ * @param key - in lower case
  */
 export function gizmoKey(gizmo: Gizmo, key: string): (() => void) | null {
   const mode = modeKeys[key];
@@ -98,7 +98,7 @@ export class Bar {
   private show(): void {
     const { commands, topmost, problem } = this.session;
     const { undoLabel, redoLabel } = commands;
-    // not `disabled`: a button that was just pressed would lose the focus, and with it the keys
+    // `disabled` would take the focus off a button that was just pressed, and with it the hot keys
     this.undo.ariaDisabled = String(undoLabel === null);
     this.undo.title = undoLabel === null ? t('Undo') : t('Undo: {edit}', { edit: undoLabel });
     this.redo.ariaDisabled = String(redoLabel === null);

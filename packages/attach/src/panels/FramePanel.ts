@@ -5,7 +5,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import type { RenderHook } from '../viewport/RenderHook';
 
-/** Panel that chooses renderer and view, with times and counts of the last frame, for each pass of Farol's. */
+/** Panel that selects renderer and view, and shows times and counts of the last frame, for Farol for each pass. */
 export class FramePanel {
   readonly element: HTMLElement;
   private readonly load = element('button', { type: 'button' }, t('Draw with Farol'));
@@ -100,7 +100,7 @@ export class FramePanel {
     await this.tell(() => this.drawing.choose(drawer));
   }
 
-  /** Runs a change of the renderer, and shows its error and the state after it. */
+  /** Changes the renderer, then shows its state, and the error if it failed. */
   private async tell(change: () => void | Promise<void>): Promise<void> {
     this.problem.textContent = '';
     try {

@@ -4,14 +4,14 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import { FieldInput } from '../ui/FieldInput';
 
-/** Fields of the selected objects: updated as values change, edited together, with undo. */
+/** Fields of the selected objects, edited together, with undo; displayed values follow changes. */
 export class Inspector {
   readonly element = element('section', { className: 'inspector', 'aria-label': t('Inspector'), tabIndex: 0 });
   private readonly search = element('input', {
     ...{ type: 'search', placeholder: t('Find a field'), autocomplete: 'off', spellcheck: false },
     'aria-label': t('Find a field'),
   });
-  private readonly none = element('p', { className: 'hint', hidden: true }, t('No field here is called that.'));
+  private readonly none = element('p', { className: 'hint', hidden: true }, t('No field matches the search.'));
   private sections: { title: string; details: HTMLElement; inputs: FieldInput[] }[] = [];
   private inputs: FieldInput[] = [];
   private readonly end: () => void;
@@ -68,7 +68,7 @@ export class Inspector {
     this.filter();
   }
 
-  /** Shows the fields that match the filter text, and the sections that have some. */
+  /** Shows the fields that match the filter text, and the sections that contain any. */
   private filter(): void {
     const words = wordsOfFilter(this.search.value);
     for (const { title, details, inputs } of this.sections)

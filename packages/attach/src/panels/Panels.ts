@@ -21,7 +21,7 @@ export interface PanelsOptions {
   onLanguage(language: AttachLanguage): void;
 }
 
-/** Bar, tree, inspector and frame panel, in the language that is shown when they are made. */
+/** Bar, tree, inspector and frame panel, in the language at the time of their creation. */
 export class Panels {
   readonly element: HTMLElement;
   readonly inspector: Inspector;

@@ -5,8 +5,8 @@ import { element } from '../ui/element';
 import { icon } from '../ui/icon';
 import { objectIcon } from '../ui/objectIcon';
 
-const ROW = 22; // CSS pixels, as in style.css
-const MARGIN = 4; // rows drawn above and below what is seen
+const ROW = 22; // CSS pixels, equal to style.css
+const MARGIN = 4; // rows drawn above and below the visible ones
 const MANY = { 'aria-multiselectable': true };
 
 interface Row {
@@ -18,8 +18,8 @@ interface Row {
 }
 
 /**
- * The objects of the scene as a tree. Only rows that are seen are elements; what the page adds and removes shows at the
- * next `refresh`. Arrow keys walk, open and close as in any tree; Ctrl chooses several objects, Shift a range of rows.
+ * The objects of the scene as a tree. Only visible rows have elements; changes by the page appear at the next
+ * `refresh`. Arrow keys move, open and close as in any tree; Ctrl selects several objects, Shift a range of rows.
  *
  * @see https://www.w3.org/WAI/ARIA/apg/patterns/treeview/
  */
@@ -31,12 +31,12 @@ export class Tree {
     tabIndex: 0,
     ...MANY,
   });
-  /** Text that names or types of objects must hold to be listed. */
+  /** Filter text: objects whose name or type contains it are listed. */
   readonly search = element('input', { type: 'search', placeholder: t('Search'), 'aria-label': t('Search objects') });
   private readonly spacer = element('div', { className: 'spacer', role: 'presentation' });
   private readonly open = new Set<Object3D>();
   private rows: Row[] = [];
-  /** Elements of the rows in sight, by the id of their object. */
+  /** Elements of the visible rows, by the id of their object. */
   private readonly elements = new Map<number, HTMLElement>();
   private drawn = '';
   /** Object at which a selection with Shift begins. */
@@ -59,7 +59,7 @@ export class Tree {
     this.refresh();
   }
 
-  /** Reads the scene again. */
+  /** Updates the rows from the scene. */
   refresh(): void {
     this.rows = this.search.value === '' ? this.openRows() : this.foundRows(this.search.value.toLowerCase());
     this.spacer.style.height = `${this.rows.length * ROW}px`;
@@ -79,7 +79,7 @@ export class Tree {
     return rows;
   }
 
-  /** All objects whose name or type holds a text, as one list. */
+  /** All objects whose name or type contains a text, as a flat list. */
   private foundRows(text: string): Row[] {
     const found: Object3D[] = [];
     this.session.scene.traverse((object) => {
@@ -93,7 +93,7 @@ export class Tree {
     this.sizes.disconnect();
   }
 
-  /** Reads the scene again, expands the selected object's ancestors, and scrolls to the object. */
+  /** Updates the rows, expands the selected object's ancestors, and scrolls to the object. */
   private reveal(): void {
     const { primary: selected } = this.session.selection;
     for (let each = selected?.parent ?? null; each; each = each.parent) this.open.add(each);
@@ -126,8 +126,8 @@ export class Tree {
   }
 
   /**
-   * Draws the rows in sight. The element of an object is kept while its row is in sight: an element replaced while it
-   * is pressed would lose the click.
+   * Draws the visible rows. An object's element is reused while its row is visible: replacing an element while it is
+   * pressed would lose the click.
    */
   private drawRows(rows: readonly Row[], first: number): void {
     const seen = new Set(rows.map(({ object }) => object.id));
@@ -216,7 +216,7 @@ export class Tree {
     this.refresh();
   }
 
-  /** Handles a key of the tree. @returns whether the tree has used the key */
+  /** Handles a key of the tree. @returns whether the tree has handled the key */
   private key(event: KeyboardEvent): boolean {
     const { rows, session } = this;
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
@@ -261,8 +261,8 @@ function setText(element: Element, text: string): void {
 }
 
 /**
- * Items of a list from one to another, both among them, in the order of the walk from the first to the second: the second
- * comes last, as the primary one of a selection. Null where one of the two is not in the list.
+ * Items of a list from one to another, both included, ordered from the first to the second, since the last item of a
+ * selection is the primary one. Null when the list lacks one of the two.
  */
 export function rangeOf<Item>(items: readonly Item[], from: Item | null, to: Item): Item[] | null {
   const [first, last] = [items.findIndex((each) => each === from), items.indexOf(to)];

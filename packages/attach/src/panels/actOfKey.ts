@@ -5,7 +5,7 @@ import type { Session } from '../model/Session';
 import type { Gizmo } from '../viewport/Gizmo';
 import { gizmoKey } from './Bar';
 
-/** Action of a key while the focus is in the panels; null where there is none, as in a field that is typed in. */
+/** Action of a key while the focus is in the panels; null for none, as while a text field is edited. */
 export function actOfKey(session: Session, gizmo: Gizmo, event: KeyboardEvent): (() => unknown) | null {
   if (event.altKey || isComposing(event)) return null;
   const key = latinKey(event).toLowerCase();

@@ -18,10 +18,10 @@ import { element } from './element';
 let count = 0;
 
 /**
- * A row of the inspector: label and controls of one field, of one object or of several. A control previews while one
- * types or drags, commits when the browser says that its value has changed, discards on Escape, and marks a value that
- * the field does not allow. Where the values of several objects differ, the controls say so, and what is not touched
- * stays as each object has it.
+ * A row of the inspector: label and controls of one field of one or several objects. A control previews while the user
+ * types or drags, commits on the browser's `change` event, discards on Escape, and marks values that the field does not
+ * allow. Where the values of several objects differ, the control says so; parts that are not edited keep each object's
+ * value.
  */
 export class FieldInput {
   readonly element: HTMLElement;
@@ -30,7 +30,7 @@ export class FieldInput {
   private readonly gesture: FieldGesture<Object3D>;
   private readonly problem = element('p', { className: 'problem', role: 'alert', hidden: true });
 
-  /** @param owners - objects whose field is edited: at least one, all with the field */
+  /** @param owners - objects whose field is edited: at least one */
   constructor(
     session: Session,
     private readonly owners: readonly PropertyOwner[],
@@ -76,7 +76,7 @@ export class FieldInput {
     this.refresh();
   }
 
-  /** Shows the value as it is now, unless it is being edited. */
+  /** Displays the present value, unless it is being edited. */
   refresh(): void {
     if (this.gesture.isOpen || this.parts.some(isWrong)) return;
     const values = this.owners.map((owner) => owner.getAuthored(this.name));
@@ -110,8 +110,8 @@ export class FieldInput {
   }
 
   /**
-   * Handles Enter, which commits the typed value, and Escape, which discards it; both leave the field, so that keys are
-   * the editor's again.
+   * Handles Enter, which commits the typed value, and Escape, which discards it; both leave the field, so that the
+   * editor gets the keys again.
    */
   private key(event: KeyboardEvent): void {
     const { key, target } = event;
@@ -143,7 +143,7 @@ export class FieldInput {
     return field.kind === 'colour' ? '×' : (numberDisplay(field).unit ?? '');
   }
 
-  /** Whether a filter finds the field: each word is in its label, its name or the title of its section. */
+  /** Whether a filter matches the field: each word is in its label, its name or the title of its section. */
   filter(words: readonly string[], section: string): boolean {
     const isFound = matchesFilter(words, [this.label, this.name, section]);
     this.element.hidden = !isFound;
@@ -163,7 +163,7 @@ export class FieldInput {
 
   /**
    * Previews an edit.
-   * @param part - control in which the value is typed or chosen, left as it is; null for a drag of the label
+   * @param part - control in which the value is entered, which is not updated; null for a drag of the label
    * @param update - new value; null discards the preview
    */
   private take(session: Session, part: FieldPart | null, update: FieldUpdate | null): void {
@@ -189,7 +189,7 @@ export class FieldInput {
   }
 
   private refuse(session: Session, part: FieldPart, problem: string): void {
-    // back to the value from before the edit, not to the last valid preview
+    // restores the value from before the edit, not the last valid preview
     this.gesture.discard();
     mark(part, problem);
     this.tell(problem);
@@ -201,7 +201,7 @@ const messageOf = (error: unknown): string => (error instanceof Error ? error.me
 
 const isWrong = ({ control }: FieldPart): boolean => control.getAttribute('aria-invalid') === 'true';
 
-/** Marks a control as wrong, with the reason as its tooltip. @param problem - '' for none */
+/** Marks a control as invalid, with the reason as its tooltip. @param problem - '' for none */
 function mark({ control }: FieldPart, problem: string): void {
   control.setAttribute('aria-invalid', String(problem !== ''));
   control.title = problem;

@@ -30,12 +30,12 @@ export type PartUpdate =
 /** A control of a field: the whole value, one coordinate of three, or screen colour or intensity of a colour. */
 export interface FieldPart {
   readonly control: HTMLInputElement | HTMLSelectElement;
-  /** Shows the values of all owners; text being typed stays if the values are those shown last. */
+  /** Displays the values of all owners; text being typed is kept if the values have not changed since. */
   show(values: readonly FieldValue[]): void;
   /** Makes the next `show` write to the control even if the value is equal. */
   forget(): void;
   /**
-   * Value of the control: null where it is empty, undefined for the beginning of a number.
+   * Value of the control: null when empty, undefined for an unfinished number.
    * @throws Error that says why it is no number
    */
   read(): PartUpdate | null | undefined;
@@ -76,9 +76,9 @@ export function makeFieldParts(field: Field, id: string, label: string): FieldPa
 }
 
 /**
- * Makes a control that shows a text.
- * @param textOf - text of the owners' values; null where they differ
- * @param write - shows the text
+ * Makes a control that displays a text.
+ * @param textOf - returns the text of the owners' values; null when they differ
+ * @param write - displays the text
  */
 function part(
   control: FieldPart['control'],
@@ -101,12 +101,12 @@ function part(
   };
 }
 
-/** A number as shown, or a function from the shown number before to the new one. */
+/** A number in the displayed unit, or a function from the previous number to the new one. */
 type Typed = number | ((before: number) => number);
 
 /**
  * Makes an input that accepts expressions, units and `+=`, as number fields of Farol's own editor do. Arrow keys step.
- * @param textOf - text of the owners' values; without decimals beyond a step, where one is given
+ * @param textOf - returns the text of the owners' values; decimals are limited by a given step
  * @param updateOf - converts a typed number, or function, to the update of the field
  */
 function numericPart(
@@ -142,14 +142,14 @@ function numericPart(
     control.value = String(addToNumber(read.valueFor(0), event.key === 'ArrowUp' ? by : -by, range));
     control.dispatchEvent(new Event('input', { bubbles: true }));
   });
-  // arrow keys that step a value cause no `change` event: the value is committed when the key goes up
+  // stepping by arrow keys causes no `change` event: the value is committed on keyup
   control.addEventListener('keyup', ({ key }) => {
     // macOS sends no keyup for an arrow key released while Command is down
     if (!isStepped || (key !== 'ArrowUp' && key !== 'ArrowDown' && key !== 'Meta')) return;
     isStepped = false;
     control.dispatchEvent(new Event('change', { bubbles: true }));
   });
-  // all decimals while the field is edited
+  // all decimals are displayed while the field is edited
   let hasFocus = false;
   let last: readonly FieldValue[] | null = null;
   const text = (values: readonly FieldValue[]): string | null => textOf((last = values), hasFocus ? undefined : step);
@@ -200,8 +200,8 @@ function numberPart(field: Field, id: string, label: string, axis?: number): Fie
 }
 
 /**
- * A bar from the smallest to the largest value, for pointers: the number beside it takes the keys. Null for no such
- * range.
+ * Makes a slider from the smallest to the largest value, for pointers; keys go to the number beside it. Null for an
+ * unsuitable range.
  */
 function sliderPart(field: Field): FieldPart | null {
   const { toShown, fromShown, ...range } = numberDisplay(field);
@@ -228,13 +228,13 @@ function screenColourPart(id: string): FieldPart {
   return part(
     control,
     (values) => sharedColour(values as readonly Vector3Tuple[]).hex,
-    // a colour input cannot be empty: where colours differ it shows the one selected last
+    // a colour input cannot be empty: when colours differ it displays that of the object selected last
     (text, values) => void (control.value = text ?? sharedColour([values.at(-1) as Vector3Tuple]).hex!),
     () => withScreenColour(control.value),
   );
 }
 
-/** Makes the control of a colour's intensity: the factor by which the colour is brighter than a screen shows. */
+/** Makes the control of a colour's intensity: its factor relative to a colour that a screen can display. */
 function intensityPart(label: string): FieldPart {
   return numericPart(
     { min: 1, step: 0.1, unit: '×' },
@@ -250,7 +250,7 @@ function intensityPart(label: string): FieldPart {
   );
 }
 
-/** The value that all have, as a text; null when they differ. */
+/** Text of the value that all owners share; null when they differ. */
 function textOf(values: readonly FieldValue[]): string | null {
   const { value, mixed } = sharedValue(values);
   return mixed ? null : String(value);

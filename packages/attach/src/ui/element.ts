@@ -1,4 +1,4 @@
-/** Makes an element. @param properties - set on it as they are; those with a dash, and `role`, as attributes */
+/** Makes an element. @param properties - set as properties; those with a dash, and `role`, as attributes */
 export function element<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   properties: Record<string, unknown> = {},

@@ -10,7 +10,7 @@ const lights: Readonly<Record<string, IconName>> = {
   RectAreaLight: 'rectangle',
 };
 
-/** Name of the icon of a three object: the one that Farol's own editor shows for the corresponding component. */
+/** Name of the icon of a three object, equal to that of the corresponding component in Farol's own editor. */
 export function objectIcon(object: Object3D): IconName {
   const kind = object as { isScene?: boolean; isMesh?: boolean; isCamera?: boolean; isGroup?: boolean };
   if (kind.isScene) return 'scene';

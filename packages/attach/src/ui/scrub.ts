@@ -4,9 +4,9 @@ import { stepFactor } from '@farol/editing';
 const SLOP = 3;
 
 /**
- * Lets an element be dragged to the left and right; a press without a drag stays a click.
- * @param move - told the way so far, in steps: pixels, 10 for each with Shift, a tenth with Alt
- * @param end - told whether what it led to shall stay: not after Escape
+ * Makes an element draggable to the left and right; a press without a drag is still a click.
+ * @param move - called with the distance so far, in steps: 1 per pixel, 10 with Shift, 0.1 with Alt
+ * @param end - called at the end: true to keep the result, false after Escape
  */
 export function scrub(target: HTMLElement, move: (steps: number) => void, end: (keeps: boolean) => void): void {
   target.classList.add('scrub');

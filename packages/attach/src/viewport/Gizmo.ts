@@ -24,8 +24,8 @@ interface Drag {
 }
 
 /**
- * three's TransformControls on a pivot in the middle of the selected objects, in a scene of their own. One drag is one step
- * of history.
+ * three's TransformControls, in a scene of their own, on a pivot at the centre of the selected objects. One drag is one
+ * step of history.
  */
 export class Gizmo {
   readonly scene = new Scene();
@@ -63,7 +63,7 @@ export class Gizmo {
     return this.current !== null;
   }
 
-  /** Moves the gizmo to the selected objects, and updates its camera. @returns whether there is something to draw */
+  /** Moves the gizmo to the selected objects, and updates its camera. @returns whether a gizmo is to be drawn */
   update(): boolean {
     const { session, controls, pivot } = this;
     controls.camera = session.camera as PerspectiveCamera;
@@ -87,7 +87,7 @@ export class Gizmo {
   /** Highlights the handle under a point of the picture. @returns whether there is a handle */
   hover(at: Vector2): boolean {
     if (!this.update()) return false;
-    // updates the handles' matrices, which are otherwise from the last draw
+    // updates the handles' matrices, which may be those of the last draw
     this.controls.getHelper().updateMatrixWorld(true);
     this.controls.pointerHover(pointer(at, -1));
     return this.controls.axis !== null;
@@ -109,7 +109,7 @@ export class Gizmo {
     this.controls.pointerMove(pointer(at, -1));
   }
 
-  /** Ends a drag. @param keep - true: as a step of history; false: objects go back to where they were */
+  /** Ends a drag. @param keep - true makes a step of history; false restores the objects' poses */
   finish(at: Vector2, keep: boolean): void {
     const { current, controls } = this;
     this.current = null;
@@ -133,7 +133,7 @@ export class Gizmo {
   }
 }
 
-/** Pose after a drag in rounded numbers, with the angles nearest to those before. */
+/** Rounds the pose at the end of a drag, with the Euler angles nearest to the previous ones. */
 function rounded({ rotation: { order } }: Object3D, before: AngledPose, pose: Partial<Pose>): Partial<AngledPose> {
   const start = { position: before.position.toArray(), rotation: before.angles, scale: before.scale.toArray() };
   const { position, rotation, scale } = roundPose(start, pose, order);
@@ -144,7 +144,7 @@ function rounded({ rotation: { order } }: Object3D, before: AngledPose, pose: Pa
   };
 }
 
-/** A pointer as TransformControls take it: normalised device coordinates and a button. */
+/** A pointer in the form that TransformControls expect: normalised device coordinates and a button. */
 function pointer({ x, y }: Vector2, button: number): PointerEvent {
   return { x, y, button } as PointerEvent;
 }

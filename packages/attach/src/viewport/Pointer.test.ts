@@ -12,7 +12,7 @@ const canvas = {
   getBoundingClientRect: () => ({ left: 0, top: 0, width: 200, height: 100 }),
   ...{ offsetWidth: 200, offsetHeight: 100, clientWidth: 200, clientHeight: 100, clientLeft: 0, clientTop: 0 },
 };
-/** Places on the canvas: on the box at the left, on the one at the right, on none. */
+/** x coordinates on the canvas: on the left box, on the right box, on neither. */
 const [LEFT, RIGHT, NONE] = [50, 150, 100];
 
 let session: Session;
@@ -40,7 +40,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** @param to - where the pointer goes up, and by which event */
+/** @param to - position and event of the release */
 function press(x: number, values: object = {}, to: { x?: number; as?: 'pointerup' | 'pointercancel' } = {}): string {
   const event = { target: canvas, button: 0, pointerId: 1, clientX: x, clientY: 50, ...values };
   listeners.get('pointerdown')!(event);

@@ -8,15 +8,15 @@ import { pickObject } from './pickObject';
 const CLICK = 4;
 
 /**
- * Pointer on the page's canvas: drags the gizmo, and selects the clicked object, with Ctrl or Shift besides the others.
- * Events that the gizmo takes do not reach the page's own controls; all other events do.
+ * Pointer on the page's canvas: drags the gizmo, and selects clicked objects; Ctrl or Shift adds to the selection. The
+ * page's own controls get all events that the gizmo does not use.
  */
 export class Pointer {
   private readonly at = new Vector2();
   private pressed: { x: number; y: number; id: number } | null = null;
   private readonly listening = new AbortController();
 
-  /** @param area - the element that the page's controls listen on */
+  /** @param area - element on which the page's controls listen */
   constructor(
     private readonly session: Session,
     private readonly gizmo: Gizmo,
@@ -77,7 +77,7 @@ export class Pointer {
     take(event);
   }
 
-  /** Locates the pointer. @returns whether it is over the picture of the session's camera */
+  /** Locates the pointer. @returns whether it is within the session camera's viewport */
   private isOver(event: PointerEvent): boolean {
     if (event.target !== this.area && event.target !== this.session.webgl.domElement) return false;
     this.locate(event);
@@ -90,7 +90,7 @@ export class Pointer {
   }
 }
 
-/** Stops an event, so that the page does not get it. */
+/** Stops an event from reaching the page. */
 function take(event: Event): void {
   event.stopImmediatePropagation();
   event.preventDefault();

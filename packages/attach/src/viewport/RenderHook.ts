@@ -3,18 +3,18 @@ import { type Interception, interceptRender } from '@farol/renderer/intercept';
 import { Vector4, type WebGLRenderer } from 'three';
 import type { Session } from '../model/Session';
 
-const IDLE = 500; // ms
+const IDLE = 500; // milliseconds
 
 const viewport = new Vector4();
 
 /**
- * Takes the place of one renderer's `render`, to have the scene drawn by Farol and to draw the editor's overlay once
- * the page is done with its frame. The page calls `render` as ever; nested calls, Farol's own among them, go to three.
+ * Replaces one renderer's `render`, so that Farol can draw the scene, and the editor's overlay is drawn once the page
+ * has finished its frame. The page calls `render` as before; nested calls, including Farol's own, go to three.
  */
 export class RenderHook {
   /** FarolRenderer that draws the scene in place of three's; null for three's own. */
   farol: FarolRenderer | null = null;
-  /** Frames that the page has drawn to the canvas. */
+  /** Number of frames that the page has drawn to the canvas. */
   frames = 0;
   private drawnAt = -Infinity;
   private readonly interception: Interception;
@@ -22,7 +22,7 @@ export class RenderHook {
   private planned = false;
   private attached = true;
 
-  /** @param overlay - draws over the finished frame with `render`, three's own method without this hook */
+  /** @param overlay - draws over the finished frame; its `render` is three's original method */
   constructor(
     session: Session,
     private readonly overlay: (render: WebGLRenderer['render']) => void,
@@ -45,12 +45,12 @@ export class RenderHook {
     });
   }
 
-  /** Whether the page has drawn nothing for a while, as a page that draws on demand. */
+  /** Whether the page has drawn nothing for a while, since it draws on demand. */
   get isIdle(): boolean {
     return performance.now() - this.drawnAt > IDLE;
   }
 
-  /** Gives the renderer its own `render` back. */
+  /** Restores the renderer's original `render`. */
   dispose(): void {
     this.attached = false;
     this.farol = null;
@@ -58,8 +58,8 @@ export class RenderHook {
   }
 
   /**
-   * Schedules the overlay for after the page's code has returned: after the last draw of its frame, and before the
-   * browser shows it.
+   * Schedules the overlay after the page's code has returned: after the last draw of its frame, and before the browser
+   * displays it.
    */
   private plan(): void {
     if (this.planned) return;

@@ -7,7 +7,7 @@ import { isReadable } from './isReadable';
  */
 const MEASURED = 200;
 
-/** Boxes of lines round the selected objects. */
+/** Wireframe boxes around the selected objects. */
 export class SelectionBox {
   private boxes: BoxHelper[] = [];
   private readonly end: () => void;
@@ -20,7 +20,7 @@ export class SelectionBox {
     this.follow();
   }
 
-  /** Measures the objects where they are now. */
+  /** Computes the boxes from the objects' present poses. */
   update(): void {
     for (const box of this.boxes) box.update();
   }
@@ -60,7 +60,7 @@ export class SelectionBox {
   }
 }
 
-/** Whether three can find the box round an object. */
+/** Whether three can compute the bounding box of an object. */
 function isMeasurable(object: Mesh): boolean {
   const { boundingBox = object.geometry.boundingBox } = object as Mesh & Partial<Pick<SkinnedMesh, 'boundingBox'>>;
   return boundingBox !== null || isReadable(object.geometry);

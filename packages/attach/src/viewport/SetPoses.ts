@@ -2,7 +2,7 @@ import type { Command, Pose } from '@farol/editing';
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { Object3D } from 'three';
 
-/** A pose with the angles that the page sees in `rotation` (rad), in the object's own order: a rotation has many. */
+/** A pose with the Euler angles of the page's `rotation` (rad) in the object's own order, since a rotation has many. */
 export interface AngledPose extends Pose {
   readonly angles: Vector3Tuple;
 }
@@ -15,7 +15,7 @@ export class SetPoses implements Command<Object3D> {
   /** Poses before the first `do`; null until then. */
   private before: readonly AngledPose[] | null = null;
 
-  /** @param poses - of the objects, in their order; what does not change is left out */
+  /** @param poses - pose of each object; unchanged parts are omitted */
   constructor(
     readonly label: string,
     private readonly objects: readonly Object3D[],
@@ -46,14 +46,14 @@ export class SetPoses implements Command<Object3D> {
   replaceWith(next: Command<Object3D>): SetPoses | null {
     if (!(next instanceof SetPoses) || next.objects !== this.objects) return null;
     next.before = this.before;
-    // undone first: a property that only the earlier command has set must go back
+    // undone first, since the earlier command may have set parts that this one does not
     this.undo();
     next.do();
     return next;
   }
 }
 
-/** Pose of an object in its parent: from its matrix where `matrixAutoUpdate` is off. */
+/** Pose of an object relative to its parent; from its matrix when `matrixAutoUpdate` is false. */
 export function poseOf({ position, quaternion, rotation, scale, matrix, matrixAutoUpdate }: Object3D): AngledPose {
   const pose = { position: position.clone(), quaternion: quaternion.clone(), scale: scale.clone() };
   if (!matrixAutoUpdate) matrix.decompose(pose.position, pose.quaternion, pose.scale);
@@ -65,7 +65,7 @@ function apply(object: Object3D, { position, quaternion, angles, scale }: Partia
   if (position) object.position.copy(position);
   if (quaternion) object.quaternion.copy(quaternion);
   const { rotation } = object;
-  // keeps the page's angles: of several Euler angles for one rotation, three has chosen others
+  // restores the page's angles: three has computed equivalent ones from the quaternion
   if (angles && [rotation.x, rotation.y, rotation.z].some((angle, i) => Math.abs(angle - angles[i]) > SAME)) {
     rotation.set(...(angles as [number, number, number]));
   }

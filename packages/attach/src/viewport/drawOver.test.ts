@@ -11,7 +11,7 @@ import { expect, it } from 'vitest';
 import { Session } from '../model/Session';
 import { drawOver } from './drawOver';
 
-/** A renderer in the middle of a page's own picture: target, viewport and switches are the page's. */
+/** A renderer in the state of a page's own pass: target, viewport and switches are the page's. */
 function busyRenderer() {
   const state = {
     target: { isTarget: true } as object | null,

@@ -4,7 +4,7 @@ import type { Session } from '../model/Session';
 const viewport = new Vector4();
 const noPlanes: Plane[] = [];
 
-/** Draws a scene over the page's picture, by the session's camera; the renderer's state and `info` are restored. */
+/** Draws a scene over the page's picture with the session's camera; the renderer's state and `info` are restored. */
 export function drawOver({ webgl, camera, view }: Session, render: WebGLRenderer['render'], scene: Scene): void {
   const { autoClear, toneMapping, clippingPlanes, info } = webgl;
   const { autoReset } = info;

@@ -11,7 +11,7 @@ afterEach(() => {
 
 const whole = new Vector4(0, 0, 1, 1);
 
-/** A canvas at (10, 20) whose picture is 200 × 100 CSS pixels, within a frame as wide on every side. */
+/** A canvas at (10, 20) with a picture of 200 × 100 CSS pixels, and equal borders on all sides. */
 function canvas(border: number, padding: number, scale = 1): HTMLElement {
   const [width, height] = [200 + 2 * (border + padding), 100 + 2 * (border + padding)];
   vi.stubGlobal('getComputedStyle', () => {
@@ -70,7 +70,7 @@ it('the overlay is drawn where the page draws the scene by its camera', () => {
   const hook = new RenderHook(session, () => {});
   webgl.setViewport(100, 50, 200, 100);
   webgl.render(scene, camera);
-  // a map of the page's, by another camera
+  // a minimap of the page, drawn with another camera
   webgl.setViewport(0, 0, 50, 50);
   webgl.render(scene, new PerspectiveCamera());
   hook.dispose();

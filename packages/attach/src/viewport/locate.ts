@@ -1,11 +1,11 @@
 import type { Vector2, Vector4 } from 'three';
 
 /**
- * Finds where a pointer is in the picture of a canvas.
+ * Computes the position of a pointer in the picture of a canvas.
  * @param canvas - may have padding, a border and a CSS scale
- * @param view - part of the canvas that the picture fills: left, bottom, width, height, as shares of the canvas's own
- * @param pointer - in CSS pixels of the window
- * @param at - becomes normalised device coordinates: -1 to 1 within the picture, y up
+ * @param view - part of the canvas that the picture fills: left, bottom, width, height, as shares of the canvas's size
+ * @param pointer - in CSS pixels, relative to the window
+ * @param at - receives normalised device coordinates: -1 to 1 within the picture, y up
  */
 export function locate(
   canvas: HTMLElement,

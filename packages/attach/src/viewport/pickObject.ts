@@ -6,8 +6,8 @@ const hits: Intersection[] = [];
 const skipped = new WeakSet<Object3D>();
 
 /**
- * The nearest visible object under a point of the picture; null when there is none. What three alone could cast at, by vertices
- * that the GPU alone has, does not count, and is named once.
+ * The nearest visible object under a point of the picture; null when there is none. Objects whose vertices are on the
+ * GPU only cannot be picked; each is named in one warning.
  *
  * @param at - normalised device coordinates, -1 to 1, y up
  */
@@ -16,7 +16,7 @@ export function pickObject(scene: Object3D, camera: Camera, at: Vector2): Object
   raycaster.layers.mask = camera.layers.mask;
   hits.length = 0;
   scene.traverseVisible((object) => {
-    // pages switch raycasting off by taking the method away
+    // pages disable raycasting by removing the method
     if (typeof object.raycast !== 'function') return;
     const { geometry } = object as Partial<Mesh>;
     if (geometry === undefined || Object.hasOwn(object, 'raycast') || isReadable(geometry)) {

@@ -17,7 +17,7 @@ import { Session } from '../model/Session';
 import { pickObject } from './pickObject';
 import { SelectionBox } from './SelectionBox';
 
-/** As it is once three has sent it, and the page has let go of it. */
+/** Geometry whose arrays the page has freed after three's upload. */
 function freed(geometry: BufferGeometry, empty: unknown): BufferGeometry {
   geometry.computeBoundingSphere();
   (geometry.attributes.position as { array: unknown }).array = empty;

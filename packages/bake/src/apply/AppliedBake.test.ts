@@ -14,7 +14,7 @@ import { describe, expect, it } from 'vitest';
 import type { BakedMesh } from '../Bake';
 import { AppliedBake } from './AppliedBake';
 
-/** A baked mesh whose first vertex is there twice. */
+/** A baked mesh with a duplicate of its first vertex. */
 function bakedMesh(mesh: Mesh): BakedMesh {
   const count = mesh.geometry.attributes.position.count;
   const sourceVertex = Uint32Array.from({ length: count + 1 }, (_, i) => i % count);

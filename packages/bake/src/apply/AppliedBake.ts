@@ -71,7 +71,7 @@ export class AppliedBake {
       mesh.geometry = each.geometry;
       mesh.material = each.material;
     }
-    // a light is moved to no layer, not hidden: objects below it stay visible
+    // a light is moved to no layer rather than hidden, so that its children stay visible
     for (const light of this.lights) {
       this.hidden.set(light, light.layers.mask);
       light.layers.mask = 0;
@@ -83,7 +83,7 @@ export class AppliedBake {
     this.applied = false;
     for (const { baked, geometry, material, before } of this.dressed) {
       const mesh: Mesh = baked.mesh;
-      // leaves a geometry that somebody else has assigned since
+      // keeps a geometry that other code has assigned since
       if (mesh.geometry === geometry) mesh.geometry = before!.geometry;
       if (mesh.material === material) mesh.material = before!.material;
     }
@@ -91,7 +91,7 @@ export class AppliedBake {
     this.hidden.clear();
   }
 
-  /** Replaces the lightmaps by others, such as those of a later stage of the bake. */
+  /** Replaces the lightmaps, for instance by those of a later stage of the bake. */
   setTextures(textures: readonly Texture[]): void {
     for (const { lightmap, lit } of this.lit) lit.setLightmap(textures[lightmap]);
   }

@@ -12,7 +12,7 @@ import {
 import { expect, it } from 'vitest';
 import { freeChannel, GatheredAttributes, litGeometry } from './litGeometry';
 
-/** A triangle with an attribute of each kind, and all else that a geometry may have. */
+/** A triangle with an attribute of each kind, and all other parts of a geometry. */
 function source(): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute([0, 1, 2, 3, 4, 5, 6, 7, 8], 3));
@@ -31,7 +31,7 @@ function source(): BufferGeometry {
   return Object.assign(geometry, { name: 'sheet', userData: { from: 'a file' } });
 }
 
-/** The triangle's corners from the last to the first, and the first once more. */
+/** The triangle's corners in reverse order, and the first one again. */
 const unwrapped = {
   uv1: Float32Array.from([0, 0, 0.5, 0, 0.5, 0.5, 1, 1]),
   index: Uint32Array.from([3, 1, 0]),

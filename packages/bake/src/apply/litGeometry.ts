@@ -7,7 +7,7 @@ type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 export class GatheredAttributes {
   private readonly made = new Map<AnyAttribute, { order: Uint32Array; gathered: BufferAttribute }[]>();
 
-  /** @param order - one a vertex of the result: the vertex that it is a copy of */
+  /** @param order - source vertex of each vertex of the result */
   of(attribute: AnyAttribute, order: Uint32Array): BufferAttribute {
     const all = this.made.get(attribute) ?? [];
     this.made.set(attribute, all);
@@ -26,8 +26,7 @@ export function freeChannel(geometries: readonly BufferGeometry[]): number {
 }
 
 /**
- * A geometry with one more UV set, its vertices split where charts of the lightmap meet. Groups and bounds are the
- * source's.
+ * A copy of a geometry with one more UV set, its vertices split at chart borders. Groups and bounds are the source's.
  */
 export function litGeometry(
   source: BufferGeometry,

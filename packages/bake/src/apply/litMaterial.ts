@@ -1,7 +1,7 @@
 import { Material, type MeshStandardMaterial, type Scene, type Texture } from 'three';
 import type { Material as AnyMaterial } from 'three';
 
-/** A material that shows its source with a lightmap, and follows each change of the source. */
+/** A material with a lightmap that follows all changes of its source. */
 export interface LitMaterial {
   readonly material: AnyMaterial;
   setLightmap(texture: Texture): void;
@@ -10,8 +10,8 @@ export interface LitMaterial {
 /**
  * A material that inherits every property of its source, live, and has a lightmap. Nothing is written to the source.
  *
- * @param skyOf - the scene whose environment is in the lightmap, null when it is not: the material then shows of it what
- *   metals mirror
+ * @param skyOf - scene whose environment is baked into the lightmap, so the material adds only the mirror reflection of
+ *   it; null when it is not baked
  */
 export function litMaterial(source: AnyMaterial, texture: Texture, skyOf: Scene | null): LitMaterial {
   const lit = Object.create(source) as MeshStandardMaterial;

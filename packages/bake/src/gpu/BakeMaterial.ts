@@ -13,7 +13,7 @@ const chunks = { emitters, lightTable, random, sampleCount, sky, tables, travers
 
 const PRECISION = 'precision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n';
 
-/** Shader of a pass of a bake: no depth, no blending unless asked for, nothing of three's materials. */
+/** Shader of one pass of a bake: without depth test, blending (by default) or three's material features. */
 export class BakeMaterial extends RawShaderMaterial {
   constructor(
     name: string,

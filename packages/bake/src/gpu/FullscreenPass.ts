@@ -14,7 +14,7 @@ const VERTEX = `void main() {
   gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
 }`;
 
-/** Rows of a target that are drawn. */
+/** Range of rows of a target to draw. */
 export interface Rows {
   readonly first: number;
   readonly count: number;

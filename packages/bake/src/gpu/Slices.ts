@@ -1,6 +1,7 @@
 import type { WebGLRenderer } from 'three';
 import type { Rows } from './FullscreenPass';
 import { keepState } from './keepState';
+import { CONTEXT_LOST } from './untilLoss';
 
 /** Work drawn in slices: all rows of a target, once for each batch. */
 export interface SlicedWork {
@@ -11,10 +12,10 @@ export interface SlicedWork {
   onSlice(share: number, batch: number): void;
 }
 
-/** Maximum number of slices queued on the GPU: one runs while the page is told that another is done. */
+/** Maximum number of slices queued on the GPU: one runs while the completion of another is handled. */
 const IN_FLIGHT = 2;
 
-/** Draws work in slices of a target duration (ms), between which the page may draw. */
+/** Draws work in slices of a target duration (ms), between which the page may draw frames. */
 export class Slices {
   constructor(
     private readonly renderer: WebGLRenderer,
@@ -43,7 +44,7 @@ export class Slices {
       const { until, rows, begin, fence } = flying.shift()!;
       await this.passed(fence);
       const now = performance.now();
-      // at most four times as many rows at once: the next rows may cost more
+      // at most four times as many rows as before, since the next rows may cost more
       perRow = Math.max((now - Math.max(begin, lastEnd)) / rows, perRow / 4);
       lastEnd = now;
       onSlice(until / all, Math.floor(until / height));
@@ -57,7 +58,7 @@ export class Slices {
     const most = Math.min(Math.max(1, Math.floor(milliseconds / perRow)), height * batches - from);
     let drawn = 0;
     keepState(this.renderer, () => {
-      // counts submitting too: with a software renderer that is where the time goes
+      // includes the time of submitting, which dominates with a software renderer
       do {
         const first = (from + drawn) % height;
         const count = Math.min(most - drawn, height - first);
@@ -84,11 +85,11 @@ export class Slices {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;
     for (;;) {
       await pause();
-      if (fence === null || gl.isContextLost()) throw new Error('The bake ended: the WebGL context was lost.');
+      if (fence === null || gl.isContextLost()) throw new Error(CONTEXT_LOST);
       this.signal?.throwIfAborted();
       const state = gl.clientWaitSync(fence, 0, 0);
-      // the state of a fence from a context that was lost, and is back
-      if (state === gl.WAIT_FAILED) throw new Error('The bake ended: the WebGL context was lost.');
+      // the fence belongs to a context that was lost and restored
+      if (state === gl.WAIT_FAILED) throw new Error(CONTEXT_LOST);
       if (state === gl.ALREADY_SIGNALED || state === gl.CONDITION_SATISFIED) break;
     }
     gl.deleteSync(fence);
@@ -97,7 +98,7 @@ export class Slices {
 
 const channel = typeof MessageChannel === 'undefined' ? null : new MessageChannel();
 
-/** Resolves in the next task, by a message: timers would wait 4 ms. */
+/** Resolves in the next task, by a message, since timers would wait 4 ms. */
 function pause(): Promise<void> {
   return new Promise((resolve) => {
     if (!channel) setTimeout(resolve);

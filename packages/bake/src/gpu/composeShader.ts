@@ -1,5 +1,5 @@
 /**
- * Puts texts in the place of `#include "name"` lines: of each name once, where it comes first.
+ * Replaces `#include "name"` lines by chunks; repeated includes are dropped. @throws Error for an unknown name
  *
  * @throws Error for a name without a text
  */

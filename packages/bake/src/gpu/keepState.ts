@@ -1,6 +1,6 @@
 import { Color, type WebGLRenderer } from 'three';
 
-/** Does work with a renderer of the host's, and leaves what the host set as it was. */
+/** Uses the host's renderer for some work, then restores its state. */
 export function keepState<T>(renderer: WebGLRenderer, work: () => T): T {
   const target = renderer.getRenderTarget();
   const [face, level] = [renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { Slices } from './Slices';
 import { untilLoss } from './untilLoss';
 
-/** A renderer whose fences are never reached, as those of a context that was lost and is back. */
+/** A renderer whose fences never signal, as after a lost and restored context. */
 function rendererOf(): WebGLRenderer & { domElement: EventTarget } {
   const gl = {
     fenceSync: () => ({}),
@@ -26,7 +26,9 @@ it('ends with the loss of the context, as with the host’s own signal', () => {
   expect(() => one.signal.throwIfAborted()).toThrow('by the host');
   expect(other.signal.aborted).toBe(false);
   renderer.domElement.dispatchEvent(new Event('webglcontextlost'));
-  expect(() => other.signal.throwIfAborted()).toThrow('The bake ended: the WebGL context was lost.');
+  expect(() => other.signal.throwIfAborted()).toThrow(
+    'The bake ended: the WebGL context was lost. Bake again once the picture is back.',
+  );
   const late = untilLoss(renderer);
   late.end();
   renderer.domElement.dispatchEvent(new Event('webglcontextlost'));

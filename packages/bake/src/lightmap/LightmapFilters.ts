@@ -23,7 +23,7 @@ export interface LightmapFiltersOptions {
   readonly denoise: boolean;
 }
 
-/** Turns the sums of a stage into means without noise, which are shown and which the next stage reflects. */
+/** Turns the sample sums of a stage into denoised means, which are shown, and which the next stage reflects. */
 export class LightmapFilters {
   private readonly passes: Record<string, FullscreenPass> = {};
 
@@ -35,7 +35,7 @@ export class LightmapFilters {
     private readonly options: LightmapFiltersOptions,
   ) {}
 
-  /** Chooses the grid of texels whose positions and normals all passes read. */
+  /** Sets the grid of texels whose positions and normals all passes read. */
   useGrid(grid: Grid, lightmap: number): void {
     const { shared } = this;
     shared.farol_positions.value = (grid.settled ?? grid.places).texture;
@@ -48,7 +48,7 @@ export class LightmapFilters {
 
   /**
    * Ends a stage of direct light: averages, denoises and fills its samples, then adds them to the lightmap, and to the
-   * radiance that the first gather reads.
+   * radiance read by the first gather.
    */
   finishDirect(lightmap: number, stage: Stage, isReflected: boolean): void {
     const { renderer } = this;
@@ -143,8 +143,8 @@ export class LightmapFilters {
   }
 
   /**
-   * Shows the lightmap as it would be with the samples so far.
-   * @param samples - samples that the stage has taken so far
+   * Shows the lightmap with the samples so far.
+   * @param samples - number of samples of the stage so far
    */
   showSoFar(lightmap: number, stage: Stage, samples: number): void {
     const { shared, renderer } = this;
@@ -168,7 +168,7 @@ export class LightmapFilters {
     this.useGrid(stage.grid, lightmap);
   }
 
-  /** Fills texels between charts, and shows the finished lightmap. */
+  /** Fills texels between charts, and writes the finished lightmap to its picture. */
   finish(lightmap: number): void {
     const { shared, renderer } = this;
     const { fine } = this.targets;

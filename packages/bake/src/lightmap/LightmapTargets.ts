@@ -22,33 +22,28 @@ export interface LightmapTargetsOptions {
 }
 
 /**
- * Render targets into which lightmaps are traced. One set of targets serves all lightmaps in turn; each keeps its sums, its picture, where
- * its texels were moved to and two layers of radiance.
+ * Render targets for tracing lightmaps. One set of temporary targets serves all lightmaps in turn; per lightmap are
+ * kept the sums, the picture, the moved texel positions and two layers of radiance.
  */
 export class LightmapTargets {
   /** Present state of each lightmap, for materials to show while light is traced. */
   readonly pictures: WebGLRenderTarget[];
   readonly totals: WebGLRenderTarget[];
-  /**
-   * Light gathered at the coarse grid so far, with its variance; empty where everything is gathered at the fine grid.
-   */
+  /** Light gathered on the coarse grid so far, with its variance; empty when only the fine grid is used. */
   readonly indirect: WebGLRenderTarget[];
   readonly moves: WebGLRenderTarget[];
   readonly agreements: WebGLRenderTarget;
   readonly fine: Grid;
-  /**
-   * Coarse grid of texels for light that was reflected twice or more; the fine grid itself where all is gathered there.
-   */
+  /** Coarse grid, for light that was reflected twice or more; the fine grid itself when there is none. */
   readonly coarse: Grid;
   readonly albedo: WebGLRenderTarget;
   readonly emission;
   /**
-   * Radiance of all surfaces, one layer a lightmap, in two textures: the present gather reads the first and writes the
-   * second.
+   * Radiance of all surfaces, one layer per lightmap, in two textures: a gather reads the first and writes the second.
    */
   radiance;
   nextRadiance;
-  /** Radiance of light reflected at least once fewer than allowed, read by light probes. */
+  /** Radiance of all but the last reflection, read by light probes. */
   readonly reflected;
 
   constructor({ size, block, layers, shines, hasProbes }: LightmapTargetsOptions) {
@@ -76,7 +71,7 @@ export class LightmapTargets {
     return this.radiance.texture;
   }
 
-  /** Clears all targets that light is added to in the course of a bake. */
+  /** Clears all targets that accumulate light during a bake. */
   clearTotals(renderer: WebGLRenderer): void {
     for (const target of [...this.totals, ...this.indirect, ...this.pictures]) {
       renderer.setRenderTarget(target);

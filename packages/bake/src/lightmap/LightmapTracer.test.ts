@@ -9,7 +9,7 @@ import type { Surfaces } from './Surfaces';
 
 const NOTHING = (): void => {};
 
-/** A renderer that notes each clear; as three does, it takes a target's scissor when the target is set, and not later. */
+/** A renderer that records each clear. Like three, it reads a target's scissor when the target is set, not later. */
 function clearingRenderer(): { renderer: WebGLRenderer; clears: { size: number; isWhole: boolean }[] } {
   const clears: { size: number; isWhole: boolean }[] = [];
   let [size, isWhole] = [0, true];
@@ -51,7 +51,7 @@ it('clears whole targets, though a bake before or a stage before was drawn by ro
   const sky: SkySource = { isBlack: false, uniforms: {}, defines: {} };
   const before = clears.length;
   await tracer.run([table, table], [sky, sky], halves);
-  // each lightmap: four stages of direct light, four of gathers, and the radiance written by direct light and three gathers
+  // per lightmap: four stages of direct light, four of gathers, and the radiance of direct light and three gathers
   expect(clears.length - before).toBe(2 * 12);
   expect(new Set(clears.map(({ size }) => size))).toEqual(new Set([8, 4]));
   expect(clears.filter(({ isWhole }) => !isWhole)).toEqual([]);

@@ -22,10 +22,7 @@ export interface LightmapTracerOptions {
   /** Texels per metre, one number per lightmap. */
   readonly texelsPerMetre: readonly number[];
   readonly samples: number;
-  /**
-   * Resolution at which light that was reflected twice or more is gathered, as a share of the lightmap's side: 1, 0.5
-   * or 0.25.
-   */
+  /** Resolution of light that was reflected twice or more, as a share of the lightmap's side: 1, 0.5 or 0.25. */
   readonly indirectScale: number;
   readonly bounces: number;
   readonly padding: number;
@@ -40,7 +37,7 @@ export interface LightmapTracerOptions {
   onSlice(share: number, samples: number): void;
 }
 
-/** Cost of moving a texel's point out of walls (settle.glsl), in samples: eight rays or more, and four short ones. */
+/** Cost (in samples) of moving a texel's point out of walls (settle.glsl): eight or more rays, four short ones. */
 const SETTLE_COST = 10;
 /** Time between two previews (ms). */
 const PREVIEW_MILLISECONDS = 250;
@@ -48,9 +45,9 @@ const PREVIEW_MILLISECONDS = 250;
 const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor } as const;
 
 /**
- * Traces the light of lightmaps: direct light first, then reflected light in gathers. The first gather sees the sky,
- * emissive surfaces, and direct light that surfaces reflect; each later one sees the reflection of the light that the
- * gather before has found. That light is smooth, and is gathered at the texels of a coarser grid.
+ * Traces the light of lightmaps: direct light first, then reflected light in gathers. The first gather collects light
+ * from the sky, emissive surfaces and the reflection of direct light; each later one the reflection of the gather
+ * before. Since that light is smooth, later gathers use a coarser grid.
  */
 export class LightmapTracer {
   /** Present state of each lightmap, for materials to show while the tracer runs. */
@@ -111,7 +108,7 @@ export class LightmapTracer {
 
   /**
    * Traces all lightmaps.
-   * @param tables - lights that are baked whole, then lights of which only reflections are baked
+   * @param tables - lights that are baked whole, then lights whose reflected light alone is baked
    * @param skies - ambient and hemisphere light, in the same order
    */
   async run(
@@ -157,7 +154,7 @@ export class LightmapTracer {
     }
   }
 
-  /** Light that arrives at points. Call after a run with `hasProbes`. */
+  /** Light at points, for probes. Call after a run with `hasProbes`. */
   readProbes(points: Float32Array, table: LightTable, sky: SkySource, slices: Slices): Promise<BakedProbes> {
     this.shared.farol_seed.value = (this.options.seed + 0x51ed270b) >>> 0;
     return traceProbes(this.renderer, slices, {
@@ -168,7 +165,7 @@ export class LightmapTracer {
     });
   }
 
-  /** Light of a lightmap as floats, four a texel. Call after a run. */
+  /** Light of a lightmap as floats, four per texel. Call after a run. */
   async read(lightmap: number): Promise<Float32Array> {
     const { size } = this.options;
     const target = this.targets.totals[lightmap];
@@ -219,7 +216,7 @@ export class LightmapTracer {
     });
     this.filters.useGrid(grid, lightmap);
     this.shared.farol_agreedSamples.value = 0;
-    // each stage needs random numbers of its own
+    // each stage needs a random sequence of its own
     this.shared.farol_seed.value = (seed + 0x9e3779b9 * (1 + stage.stream + 32 * lightmap)) >>> 0;
     this.shared.farol_stride.value = 2 ** Math.ceil(Math.log2(samples));
     const before = this.done;
@@ -258,7 +255,7 @@ export class LightmapTracer {
     this.options.onSlice(Math.min(1, this.done / this.whole), samples);
   }
 
-  /** Finds the points at which the texels of a lightmap are lit. */
+  /** Computes the positions at which the texels of a lightmap are lit. */
   private async settle(lightmap: number, slices: Slices): Promise<void> {
     const begin = performance.now();
     const { places } = this.targets.fine;

@@ -20,14 +20,14 @@ import place from './place.frag.glsl?raw';
 import vertex from './surface.vert.glsl?raw';
 
 /**
- * Shifts (texels) of repeated draws, the farthest first, so that a texel also belongs to a surface that touches it
- * without covering its centre.
+ * Offsets (texels) of repeated draws, the farthest first, so that a surface also covers texels that it touches without
+ * reaching their centres.
  */
 const SHIFTS = [1, 0.5].flatMap((d) =>
   [-1, 0, 1].flatMap((x) => [-1, 0, 1].filter((y) => x !== 0 || y !== 0).map((y) => [d * x, d * y] as const)),
 );
 
-/** Draws the meshes of a lightmap in its UV space, a fragment a texel. */
+/** Draws the meshes of a lightmap in lightmap UV space: one fragment per texel. */
 export class Surfaces {
   private readonly geometry = new BufferGeometry();
   private readonly mesh: Mesh;
@@ -69,7 +69,7 @@ export class Surfaces {
     };
   }
 
-  /** Draws positions, normals and face normals of the lightmap's texels to a target of three textures. */
+  /** Draws positions, normals and face normals of the lightmap's texels to a target with three textures. */
   drawPlaces(lightmap: number, target: WebGLRenderTarget): void {
     this.draw('place', this.rangesOf(lightmap, true), target, 0);
   }

@@ -1,4 +1,4 @@
-// 1 where all first samples of a texel and of those around it gave one light, so that more would give the same
+// 1 where the first samples of a texel and its neighbours are all equal, so that more samples would not change them
 // Mitchell 1987, Generating Antialiased Images at Low Sampling Densities
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_sums;

@@ -1,4 +1,4 @@
-// Share of the light that a surface reflects in all directions, or what it emits
+// Diffuse albedo of a surface, or its emitted radiance
 // three.js, lights_physical_fragment
 in vec2 farol_mapUV;
 in vec2 farol_emissiveUV;
@@ -7,7 +7,7 @@ uniform vec3 farol_factor;
 uniform sampler2D farol_map;
 uniform sampler2D farol_metalnessMap;
 uniform float farol_metalness;
-uniform bvec3 farol_uses; // whether the material uses: map, metalness map, vertex colours
+uniform bvec3 farol_uses; // which inputs the material has: map, metalness map, vertex colours
 layout(location = 0) out highp vec4 farol_out;
 
 void main() {

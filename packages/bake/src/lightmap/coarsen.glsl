@@ -1,5 +1,5 @@
-// One texel of each block, which stands for it where indirect light is gathered: the one with the most texels around it
-// that have no point, so that what lies along the border of a chart, where light changes most, is between two
+// Chooses the texel of each block at which indirect light is gathered: the one with the most neighbours outside the
+// chart, so that the chart's border, where light changes most, is interpolated, not extrapolated
 // Kopf et al. 2007, Joint Bilateral Upsampling
 uniform highp sampler2D farol_settled;
 uniform highp sampler2D farol_placeNormals;

@@ -1,4 +1,4 @@
-// Copies light: times a factor, to a sum, as a picture or as light that has arrived
+// Copies light: scaled, to a sum, as a picture, or as radiance that a surface reflects
 // three.js
 uniform highp sampler2D farol_light;
 uniform highp sampler2D farol_albedo;
@@ -13,7 +13,7 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 light = texelFetch(farol_light, texel, 0);
 #ifdef REFLECT
-  // radiance of a surface that reflects in all directions alike
+  // radiance of a Lambertian surface
   vec3 arrived = max(light.rgb, 0.0);
   farol_copied = vec4(arrived * texelFetch(farol_albedo, texel, 0).rgb * 0.31830989, 0.0);
 #ifdef SOURCES

@@ -1,4 +1,4 @@
-// One step of an edge-avoiding wavelet filter on a surface: neighbours in the lightmap count if they are so in space
+// One step of an edge-avoiding wavelet filter: neighbouring texels count by their distance and normals in the scene
 // Dammertz et al. 2010, Edge-Avoiding À-Trous Wavelet Transform; Schied et al. 2017, Variance-Guided Filtering
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_texelNormals;
@@ -30,7 +30,7 @@ void main() {
       variance += weight * max(around, 0.0);
       weights += weight;
     }
-  // quasirandom samples vary less than their variance says
+  // quasirandom samples vary less than their variance suggests
   float deviation = sqrt(variance / weights) + 1e-7;
   float luminance = farol_luminance(center.rgb);
   float reach = farol_texelSize * float(farol_step);

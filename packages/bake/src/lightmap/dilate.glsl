@@ -1,4 +1,4 @@
-// Texels without light of their own take that of their neighbours
+// Gives texels without light the light of their neighbours
 // Fills seams for bilinear filtering and mipmaps
 uniform highp sampler2D farol_light;
 layout(location = 0) out highp vec4 farol_dilated;

@@ -1,5 +1,5 @@
-// Irradiance at each texel of a lightmap by the lights of the table whose shadows have soft edges, or by those whose do
-// not: the sum over samples, and of the squares of its luminance
+// Irradiance at each texel by the lights of a table with soft shadows, or by those with hard ones: sum over samples,
+// and sum of squared luminance
 // three.js, lights_fragment_begin
 #include "tables"
 #include "random"
@@ -12,7 +12,7 @@ uniform highp sampler2D farol_agreements;
 uniform int farol_firstSample;
 uniform float farol_offset;
 layout(location = 0) out highp vec4 farol_sum;
-layout(location = 1) out highp vec4 farol_sourceSum; // 0: only indirect light counts what it comes from
+layout(location = 1) out highp vec4 farol_sourceSum; // 0: light of emissive surfaces and sky is only counted in gathers
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -1,5 +1,5 @@
-// Light at each texel of a lightmap, from surfaces hit by rays into the hemisphere. Sums over samples: irradiance / pi
-// with its squared luminance, and the luminance of the part, from the surfaces hit, that no light of the scene gave.
+// Light at each texel from surfaces hit by rays into the hemisphere. Sums over samples: irradiance / pi and squared
+// luminance; luminance of the part that comes from sky and emissive surfaces, not from lights
 // Kajiya 1986, The Rendering Equation
 #include "tables"
 #include "random"
@@ -8,7 +8,7 @@
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_texelNormals;
 uniform highp sampler2D farol_faces;
-uniform highp sampler2DArray farol_radiance; // a: luminance of the part that no light of the scene gave
+uniform highp sampler2DArray farol_radiance; // a: luminance of light from sky and emissive surfaces
 uniform int farol_firstSample;
 uniform float farol_offset;
 #include "emitters"
@@ -30,7 +30,7 @@ void main() {
   for (int i = 0; i < SAMPLES; i++) {
     int which = farol_firstSample + i;
     vec3 along = farol_hemisphere(normal, farol_sample2(texel, which, 1));
-    // smooth normals may lean away from the face's: rays must still leave on the face's front
+    // an interpolated normal may differ from the face's: rays must still start on the front of the face
     float height = dot(along, face);
     if (height < 0.0) along -= 2.0 * height * face;
     vec3 light = vec3(0.0);

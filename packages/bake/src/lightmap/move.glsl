@@ -1,4 +1,4 @@
-// Points of texels where settle.glsl has moved them to
+// Texel positions with the offsets found by settle.glsl
 // Gribble 2019, Baking artifact-free lightmaps
 uniform highp sampler2D farol_places;
 uniform highp sampler2D farol_moves;

@@ -1,4 +1,4 @@
-// Where the texels of a lightmap lie in the world
+// World positions and normals of a lightmap's texels
 // three.js
 in vec3 farol_position;
 in vec3 farol_normal;

@@ -1,4 +1,4 @@
-// The light so far: of the stages that are done, and the mean of the samples of the one that runs
+// Light so far: the finished stages, and the mean of the present stage's samples
 // three.js
 #include "sampleCount"
 uniform highp sampler2D farol_light;

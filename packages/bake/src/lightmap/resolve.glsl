@@ -1,5 +1,5 @@
-// Mean of the samples of a texel, with the variance of the mean's luminance, or with the luminance of what lights have
-// not given; -1 where there is no light of its own
+// Mean of a texel's samples, with the variance of its luminance or, with SOURCES, the luminance of sky and emissive
+// surfaces; -1 for a texel without a surface
 // Welford 1962
 #include "sampleCount"
 uniform highp sampler2D farol_positions;

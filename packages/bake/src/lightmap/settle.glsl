@@ -1,5 +1,5 @@
-// Moves a texel's point out of what it lies in and away from corners, and finds texels that see backs of surfaces: they
-// are filled by their neighbours
+// Moves a texel's point out of solids and away from corners, and marks texels that see back faces, which are filled
+// from their neighbours
 // Gribble 2019, Baking artifact-free lightmaps
 #include "tables"
 #include "random"
@@ -28,7 +28,7 @@ void main() {
   mat3 basis = farol_basis(face);
   vec3 start = place.xyz + farol_offset * face;
   vec3 origin = start;
-  // charts begin at centres of texels, which then lie right in the corner between two surfaces
+  // charts begin at texel centres, which may lie exactly in the corner between two surfaces
   float least = 0.25 * farol_texelSize;
   float before = 0.2 * farol_texelSize;
   for (int i = 0; i < 4; i++) {
@@ -36,11 +36,11 @@ void main() {
     FarolHit hit = farol_trace(origin - before * along, along, before + 0.75 * farol_texelSize);
     if (hit.triangle < 0) continue;
     float ahead = hit.distance - before;
-    // beyond a surface whose back is met, before one whose front is
+    // moves beyond a back face, or back in front of a front face
     if (!farol_hitShines(hit)) origin += (ahead + least) * along;
     else if (ahead < least) origin += (ahead - least) * along;
   }
-  // most texels see no back faces near
+  // for most texels no ray hits a back face
   int backs = farol_backs(texel, origin, face, 0, 8);
   if (backs > 0) backs += farol_backs(texel, origin, face, 8, 24);
   farol_moved = vec4(origin - start, backs > 12 ? -1.0 : 1.0);

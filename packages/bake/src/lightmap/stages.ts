@@ -5,12 +5,12 @@ import direct from './direct.glsl?raw';
 import gather from './gather.glsl?raw';
 import type { Grid } from './grid';
 
-/** One pass of reflected light: light is gathered at all texels before it is reflected again. */
+/** One reflection of light: it is gathered at all texels before it is reflected again. */
 export interface Gather {
   readonly stages: readonly Stage[];
-  /** Whether the gathered light is reflected once more, by a gather that follows. */
+  /** Whether a later gather reflects the gathered light again. */
   readonly isReflected: boolean;
-  /** Part of the gathered light that probes see reflected: all, the sources alone, or none. */
+  /** Part of the gathered light whose reflection probes receive: all, that of sky and emissive surfaces, or none. */
   readonly probes: 'all' | 'sources' | 'none';
 }
 
@@ -20,7 +20,7 @@ export interface Stage {
   readonly grid: Grid;
   readonly samples: number;
   readonly perDraw: number;
-  /** Samples after which converged texels stop; 0: every texel takes all samples. */
+  /** Samples after which a converged texel stops; 0: all texels take all samples. */
   readonly firstSamples: number;
   /** Cost of the whole stage, relative to one sample at each texel of the lightmap. */
   readonly cost: number;
@@ -42,7 +42,7 @@ export interface StageSource {
   readonly shines: boolean;
   readonly fine: Grid;
   readonly coarse: Grid;
-  /** Trace pass of a name, made on first use. */
+  /** Returns the trace pass of a name, made on first use. */
   tracePass(
     name: string,
     fragment: string,
@@ -57,14 +57,13 @@ const SAMPLES_OF_A_DRAW = 4;
 const softSamples = (samples: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
 /**
- * Samples of a gather: each holds light that was reflected once more than that of the one before, so that its noise
- * counts less.
+ * Samples of a gather; later gathers hold weaker light, whose noise matters less, and take fewer.
  * @param index - from 0
  */
 const gatherSamples = (samples: number, index: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 2 ** index)) / SAMPLES_OF_A_DRAW);
 
-/** Stages of direct light: from lights that are baked whole, and from lights of which only reflections are baked. */
+/** Stages of direct light: from lights that are baked whole, then from lights whose reflected light alone is baked. */
 export function directStages(source: StageSource, tables: readonly [LightTable, LightTable]): Stage[] {
   const { samples, bounces, fine } = source;
   return tables.flatMap((table, i) => {
@@ -76,7 +75,7 @@ export function directStages(source: StageSource, tables: readonly [LightTable, 
       return {
         pass: source.tracePass(`direct${i}${isSoft ? 'soft' : ''}`, direct, lightUniforms(table), defines),
         ...{ grid: fine, samples: count, perDraw, scale: 1, stream: i + (isSoft ? 2 : 0), isIndirect: i === 1 },
-        // of soft shadows, few texels need all samples
+        // with soft shadows, few texels need all samples
         cost: isSoft ? perDraw + 0.1 * count : 1,
         firstSamples: isSoft && count > perDraw ? perDraw : 0,
         isNoisy: isSoft,
@@ -88,8 +87,8 @@ export function directStages(source: StageSource, tables: readonly [LightTable, 
 }
 
 /**
- * Gathers that follow the direct light. Lights are reflected `bounces` times. What the sky and surfaces by themselves
- * give is seen by the first gather, which it takes beside: the last one then is of that alone.
+ * Gathers after the direct light. Light of lights is reflected `bounces` times. Light of sky and emissive surfaces
+ * enters with the first gather, so its last reflection takes one gather more.
  */
 export function gathersOf(source: StageSource, skies: readonly [SkySource, SkySource]): Gather[] {
   const { bounces } = source;

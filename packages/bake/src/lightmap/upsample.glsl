@@ -1,5 +1,5 @@
-// Light of texels between those that stand for blocks: a plane through the light of neighbours on the same surface, by
-// weighted least squares
+// Light of texels between those at which it was gathered: a plane through the light of neighbours on the same surface,
+// fitted by weighted least squares
 // Levin 1998, The Approximation Power of Moving Least-Squares; Kopf et al. 2007, Joint Bilateral Upsampling
 uniform highp sampler2D farol_settled;
 uniform highp sampler2D farol_placeNormals;
@@ -18,8 +18,8 @@ void main() {
   vec3 normal = texelFetch(farol_placeNormals, texel, 0).xyz;
   ivec2 own = texel / farol_block;
   float whole = 0.0;
-  vec2 mean = vec2(0.0); // of the ways to neighbours, in blocks
-  vec3 squares = vec3(0.0); // of their parts, and the product
+  vec2 mean = vec2(0.0); // weighted sum of offsets to neighbours (blocks)
+  vec3 squares = vec3(0.0); // weighted sums of x², y² and xy of the offsets
   vec4 sum = vec4(0.0);
   vec4 sumX = vec4(0.0);
   vec4 sumY = vec4(0.0);
@@ -41,7 +41,7 @@ void main() {
       float facing = max(dot(texelFetch(farol_texelNormals, block, 0).xyz, normal), 0.0);
       float weight = tent.x * tent.y / (dot(away, away) + 0.01) * pow(facing, 16.0) * (1.0 - smoothstep(1.8, 2.6, far));
       weight *= exp(-abs(dot(path, normal)) / farol_texelSize);
-      // the texel's own block counts a little, in case no neighbour fits
+      // the texel's own block has a small weight, in case no neighbour is on the surface
       if (x == 0 && y == 0) weight += 1e-6;
       else if (weight < 1e-6) continue;
       whole += weight;
@@ -57,7 +57,7 @@ void main() {
   mean /= whole;
   sum /= whole;
   squares = squares / whole - vec3(mean * mean, mean.x * mean.y);
-  squares.xy += 0.02; // where neighbours lie in a line or alone
+  squares.xy += 0.02; // regularisation, for neighbours in one line or a single one
   vec2 share = vec2(squares.y * mean.x - squares.z * mean.y, squares.x * mean.y - squares.z * mean.x);
   share /= squares.x * squares.y - squares.z * squares.z;
   vec4 plane = sum - share.x * (sumX / whole - mean.x * sum) - share.y * (sumY / whole - mean.y * sum);

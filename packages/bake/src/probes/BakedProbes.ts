@@ -1,10 +1,10 @@
 /** Light that arrives at given points of a scene, for objects that move. */
 export interface BakedProbes {
   /**
-   * Floats, 27 a point: nine coefficients of red, green and blue each, in the order of three's SphericalHarmonics3, of
-   * radiance: `lightProbe.sh.fromArray(coefficients, 27 * i)` lights a thing as the point is lit.
+   * Floats, 27 per point: nine spherical harmonics of radiance in red, green and blue, in the order of three's
+   * SphericalHarmonics3: `lightProbe.sh.fromArray(coefficients, 27 * i)`.
    */
   readonly coefficients: Float32Array;
-  /** Share of the directions in which a point sees the back of a surface, one a point: above 0.25 it lies within something. */
+  /** Share of directions that hit back faces, one per point; above 0.25 the point is inside a solid. */
   readonly backFaces: Float32Array;
 }

@@ -1,4 +1,4 @@
-// Light that arrives at points from all sides as nine spherical harmonics: sums over samples, and rays that met backs
+// Light at points as nine spherical harmonics: sums over samples, and the count of rays that hit back faces
 // Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
 #include "tables"
 #include "random"

@@ -22,7 +22,7 @@ const FLOATS = 27;
 /** Number of probes in a row of the targets. */
 const WIDTH = 64;
 const SAMPLES_OF_A_DRAW = 16;
-/** Smallest number of samples of a probe: with fewer, even uniform light would be wrong by a hundredth. */
+/** Smallest number of samples of a probe: with fewer, even uniform light would be off by 1%. */
 const LEAST_SAMPLES = 1024;
 
 export interface ProbeTrace {
@@ -31,23 +31,25 @@ export interface ProbeTrace {
   readonly samples: number;
   readonly table: LightTable;
   readonly sky: SkySource;
-  /** Uniforms of the scene, what it emits and reflects. */
+  /** Uniforms of the scene and of its emitted and reflected light. */
   readonly uniforms: Record<string, { value: unknown }>;
   readonly defines: Record<string, unknown>;
   onSlice(share: number, samples: number): void;
 }
 
 /**
- * Light that arrives at points, with what surfaces reflect taken from lightmaps.
+ * Traces the light at points; light reflected by surfaces is read from lightmaps.
  *
- * @throws Error when the device cannot draw to seven targets at once
+ * @throws Error when the device cannot render to seven targets at once
  */
 export async function traceProbes(renderer: WebGLRenderer, slices: Slices, trace: ProbeTrace): Promise<BakedProbes> {
   const gl = renderer.getContext();
   // null while the context is lost
   const targets = gl.getParameter((gl as WebGL2RenderingContext).MAX_DRAW_BUFFERS) as number | null;
   if (targets !== null && targets < TARGETS) {
-    throw new Error(`This device cannot bake probes: it draws to fewer than ${TARGETS} targets at once.`);
+    throw new Error(
+      `This device cannot bake probes: it draws to fewer than ${TARGETS} targets at once. Leave the probes out.`,
+    );
   }
   const { points, table, sky } = trace;
   const count = points.length / 3;

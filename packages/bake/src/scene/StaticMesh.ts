@@ -8,7 +8,7 @@ export interface Surface {
   readonly count: number;
 }
 
-/** A mesh that stays where it is, as the tracer needs it. */
+/** A static mesh, in the form that the tracer needs. */
 export interface StaticMesh {
   readonly mesh: Mesh;
   /** Name of the mesh in messages. */
@@ -17,17 +17,17 @@ export interface StaticMesh {
   readonly geometry: BufferGeometry;
   /** World matrices: one, or one for each instance. */
   readonly placements: readonly Matrix4[];
-  /** Vertex indices, three a triangle; made in order for a geometry without an index. */
+  /** Vertex indices, three per triangle; generated for a geometry without an index. */
   readonly index: Uint32Array;
   readonly surfaces: readonly Surface[];
   readonly throwsShadow: boolean;
   /** Colour factors of the mesh's instances; null without instance colours. */
   readonly colours: readonly Color[] | null;
-  /** Whether the mesh gets a lightmap of its own. */
+  /** Whether the mesh gets a lightmap. */
   readonly isLit: boolean;
   /**
-   * Whether the mesh has no lightmap, and reflects light all the same; a mesh that is neither lit nor reflecting only
-   * casts shadows.
+   * Whether the mesh reflects light though it has no lightmap; a mesh that is neither lit nor reflecting only casts
+   * shadows.
    */
   readonly isReflecting: boolean;
 }

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { describe } from './describe';
 
-/** Attenuation in place of three's, as `userData.farol.attenuation` has it. */
+/** Attenuation that replaces three's: `userData.farol.attenuation`. */
 type Attenuation =
   | { readonly kind: 'near-far'; readonly near: number; readonly far: number }
   | { kind: 'polynomial'; constant: number; linear: number; quadratic: number; range: number };
@@ -30,19 +30,19 @@ export interface BakedLightData {
   attenuation?: Attenuation;
 }
 
-/** A light with a place or a direction, in world space. */
+/** A light with a position or direction, in world space. */
 export interface TracedLight {
   readonly light: Light;
   readonly kind: 'directional' | 'point' | 'spot' | 'rectangle' | 'disc' | 'tube';
   readonly position: Vector3;
   /**
-   * Unit vector in world space: towards the light (directional), against the cone's axis (spot), or the way the light
-   * shines (area).
+   * Unit vector in world space: towards the light (directional), against the cone's axis (spot), or along the light
+   * (area).
    */
   readonly direction: Vector3;
   /** Linear colour of the light times its intensity. */
   readonly colour: Color;
-  /** Distance beyond which the light gives nothing (m); 0 for no limit. */
+  /** Distance (m) beyond which the light has no effect; 0 for no limit. */
   readonly range: number;
   readonly decay: number;
   readonly coneCosine: number;
@@ -59,7 +59,7 @@ export interface TracedLight {
   readonly isIndirect: boolean;
 }
 
-/** Light from all sides: what ambient and hemisphere lights give. */
+/** Light from all directions: ambient and hemisphere lights. */
 export interface SkyLight {
   readonly light: Light;
   /** World direction of the sky half: unit length. */
@@ -75,7 +75,7 @@ export interface CollectedLights {
   readonly skies: SkyLight[];
 }
 
-/** Lights of a scene that are seen and baked. World matrices must be up to date. */
+/** Visible lights of a scene that are baked. World matrices must be up to date. */
 export function collectLights(
   scene: Object3D,
   isBaked: (light: Light) => boolean | 'indirect',
@@ -163,7 +163,7 @@ function tracedLight(light: Light, colour: Color, isIndirect: boolean): TracedLi
     const { width, height, matrixWorld } = light as RectAreaLight;
     const [halfWidth, halfHeight, back] = [new Vector3(), new Vector3(), new Vector3()];
     matrixWorld.extractBasis(halfWidth, halfHeight, back);
-    // as three does: sides of the light are turned by the object, not scaled
+    // as in three, the object rotates the sides of the light but does not scale them
     halfWidth.normalize().multiplyScalar(0.5 * width);
     halfHeight.normalize().multiplyScalar(0.5 * height);
     return { ...base, kind: data.shape ?? 'rectangle', direction: back.normalize().negate(), halfWidth, halfHeight };

@@ -16,7 +16,7 @@ import type { StaticMesh, Surface } from './StaticMesh';
 export interface CollectOptions {
   isStatic(object: Object3D, instance?: number): boolean;
   throwsShadow(object: Object3D): boolean;
-  /** Called with a sentence on each mesh that is left out. */
+  /** Called with a sentence for each mesh that is left out. */
   onWarning(sentence: string): void;
 }
 
@@ -48,15 +48,16 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
   };
   if ('isBatchedMesh' in mesh) return skip('batched meshes have one set of UVs for all their parts; use meshes');
   const { position } = mesh.geometry.attributes;
-  if (!position) return skip('its geometry has no positions');
+  if (!position) return skip('its geometry has no positions; give it some');
   if (!isReadable(mesh)) return skip('its vertices are on the GPU alone; keep their arrays until it is baked');
   for (let i = 0; i < position.count; i++) {
     if (Number.isFinite(position.getX(i) + position.getY(i) + position.getZ(i))) continue;
-    return skip(`the position of its vertex ${i} is not a number`);
+    return skip(`the position of its vertex ${i} is not a number; correct it`);
   }
-  if (!mesh.matrixWorld.elements.every(Number.isFinite)) return skip('its position is not a number');
+  if (!mesh.matrixWorld.elements.every(Number.isFinite)) return skip('its position is not a number; correct it');
   const index = readIndex(mesh.geometry);
-  if (index.some((vertex) => vertex >= position.count)) return skip('its index names a vertex that does not exist');
+  if (index.some((vertex) => vertex >= position.count))
+    return skip('its index names a vertex that does not exist; correct it');
   const surfaces = readSurfaces(mesh, index.length);
   if (surfaces.length === 0) return skip('it has no triangles');
   const isInstanced = 'isInstancedMesh' in mesh;
@@ -85,7 +86,7 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
   };
 }
 
-/** False for attributes whose array the host has freed, or never had. */
+/** False for attributes whose array the host has freed or never provided. */
 function isReadable(mesh: Mesh): boolean {
   const { instanceMatrix, instanceColor } = mesh as Partial<Pick<InstancedMesh, 'instanceMatrix' | 'instanceColor'>>;
   const { attributes, index } = mesh.geometry;
@@ -110,7 +111,7 @@ function posedGeometry(mesh: Mesh): BufferGeometry {
   return posed;
 }
 
-/** Whether three applies a lightmap to the material as incoming light; unlit materials would become darker. */
+/** Whether three applies a lightmap to the material as irradiance; unlit materials would become darker. */
 export function takesLightmap(material: Material): boolean {
   return 'lightMap' in material && !('isMeshBasicMaterial' in material);
 }

@@ -34,14 +34,14 @@ export interface MergedTriangles {
   readonly count: number;
   /** Positions, nine numbers a triangle (m); counterclockwise seen from the front. */
   readonly positions: Float32Array;
-  /** Nine a triangle, unit length: away from the front. */
+  /** Unit normals, nine numbers per triangle, on its front. */
   readonly normals: Float32Array;
-  /** Places in the lightmap (0 to 1), six numbers a triangle. */
+  /** Lightmap UVs (0 to 1), six numbers per triangle. */
   readonly lightmapUVs: Float32Array;
-  /** Six a triangle: place in the material's colour map, and in its emissive map. */
+  /** UVs of the colour map and of the emissive map, six numbers each per triangle. */
   readonly mapUVs: Float32Array;
   readonly emissiveUVs: Float32Array;
-  /** Nine a triangle, linear; null when no material asks for colours of vertices. */
+  /** Linear vertex colours, nine numbers per triangle; null when no material uses vertex colours. */
   readonly colours: Float32Array | null;
   /** Ranges ordered by lightmap; triangles without one are last. */
   readonly ranges: readonly TriangleRange[];
@@ -60,9 +60,9 @@ interface Piece {
 const NO_AREA = 1e-16;
 
 /**
- * Brings static meshes into one list of triangles.
+ * Merges static meshes into one list of triangles.
  *
- * @param unwrapped - where each mesh lies in a lightmap, by the index of the mesh; null for those without one
+ * @param unwrapped - lightmap coordinates of each mesh, by the mesh's index; null for meshes without a lightmap
  */
 export function mergeTriangles(
   meshes: readonly StaticMesh[],
@@ -131,13 +131,13 @@ const uv = new Vector2();
 const normalMatrix = new Matrix3();
 const vertexColour = new Color();
 
-/** @returns triangles in the lists */
+/** @returns number of triangles in the lists */
 function addPiece({ mesh, unwrapped, placement, copy, surface }: Piece, lists: Lists, count: number): number {
   const { attributes } = mesh.geometry;
   const factor = mesh.colours?.[copy];
   const position = attributes.position as BufferAttribute;
   const material = surface.material as MeshStandardMaterial;
-  // the front of a surface is where light falls on it
+  // the front is the side that receives light
   const isFlipped = placement.determinant() < 0 !== (material.side === BackSide);
   const mapUV = uvReader(attributes, material.map ?? material.alphaMap);
   const emissiveUV = uvReader(attributes, material.emissiveMap);
@@ -183,7 +183,7 @@ function addPiece({ mesh, unwrapped, placement, copy, surface }: Piece, lists: L
   return count;
 }
 
-/** Reads the UVs of a texture, with its transform. The vector is the same each time. */
+/** Makes a reader of a texture's UVs, with its transform applied. It returns the same vector each time. */
 function uvReader(
   attributes: Record<string, BufferAttribute | InterleavedBufferAttribute>,
   texture: Texture | null | undefined,

@@ -64,9 +64,9 @@ describe('collectMeshes', () => {
       options,
     );
     expect(options.warnings).toEqual([
-      'Mesh “A” is not baked: its geometry has no positions.',
-      'Mesh “B” is not baked: the position of its vertex 2 is not a number.',
-      'Mesh “C” is not baked: its index names a vertex that does not exist.',
+      'Mesh “A” is not baked: its geometry has no positions; give it some.',
+      'Mesh “B” is not baked: the position of its vertex 2 is not a number; correct it.',
+      'Mesh “C” is not baked: its index names a vertex that does not exist; correct it.',
       'Mesh “D” is not baked: it has no triangles.',
       'Mesh “E” gets no lightmap: its instances share one set of UVs. They cast shadows and reflect light; use single meshes to have them lit.',
       'Mesh “G” is not baked: its vertices are on the GPU alone; keep their arrays until it is baked.',
@@ -131,7 +131,7 @@ describe('collectLights', () => {
 });
 
 describe('mergeTriangles', () => {
-  /** Directions of the faces by their corners, and the normals of their first corners, of all triangles. */
+  /** Face directions by corners, and normals of first corners, of all triangles. */
   function facesOf(...objects: Object3D[]): { faces: number[][]; normals: number[][]; count: number } {
     const meshes = collectMeshes(sceneOf(...objects), testOptions());
     const { positions, normals, count } = mergeTriangles(
@@ -187,7 +187,7 @@ describe('mergeTriangles', () => {
       const values = [...positions].filter((_, i) => i % 3 === axis);
       return [Math.min(...values), Math.max(...values)];
     });
-    // copies at 0 and 5, sides of 1, all of it twice as large
+    // instances at 0 and 5, sides of 1, everything scaled by 2
     expect(bounds).toEqual([
       [-1, 11],
       [39, 41],

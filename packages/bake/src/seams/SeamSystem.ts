@@ -1,31 +1,31 @@
-/** Samples along a seam, one a texel and this many times as many. */
+/** Samples per texel along a seam. */
 const DENSITY = 2;
-/** Weight of keeping a texel's value, relative to that of equal seam sides (1). */
+/** Weight of keeping a texel's value, relative to equal values on both sides (1). */
 const KEEP = 0.02;
 const MOST_ITERATIONS = 60;
-/** Share of the first residual (squared) at which the solution is good enough. */
+/** Share of the initial squared residual at which the iteration stops. */
 const ENOUGH = 1e-8;
 
 /**
- * Least squares over texels along seams: bilinear samples of both sides should be equal, and texels should keep their
- * values. Solved by conjugate gradients.
+ * Least-squares problem of texels along seams: bilinear samples of both sides should be equal, and texels should keep
+ * their values. Solved by conjugate gradients.
  *
  * @see Iwanicki 2013, Lighting Technology of The Last of Us; Hestenes and Stiefel 1952
  */
 export class SeamSystem {
-  /** Number of each texel that takes part, by its place; -1 for others. */
+  /** Unknown of each texel along a seam, by texel index; -1 for other texels. */
   private readonly numbers: Int32Array;
   private readonly texels: number[] = [];
-  /** Eight a sample: texels by their numbers, and weights, those of the second side negative. */
+  /** Eight entries per sample: unknowns, and in `weights` their weights, negative for the second side. */
   private readonly places: number[] = [];
   private readonly weights: number[] = [];
 
-  /** @param size - of the lightmap in texels */
+  /** @param size - side of the lightmap (texels) */
   constructor(private readonly size: number) {
     this.numbers = new Int32Array(size * size).fill(-1);
   }
 
-  /** Adds a seam by its ends, u and v from 0 to 1, on the first and on the second side. */
+  /** Adds a seam by its end points (u, v) on the first and on the second side. */
   add(a0: readonly number[], a1: readonly number[], b0: readonly number[], b1: readonly number[]): void {
     const length = (from: readonly number[], to: readonly number[]): number =>
       this.size * Math.hypot(to[0] - from[0], to[1] - from[1]);
@@ -37,7 +37,7 @@ export class SeamSystem {
     }
   }
 
-  /** Changes the texels of a lightmap, four floats each, so that the seams meet. Nothing becomes negative. */
+  /** Changes a lightmap's texels, four floats each, so that sides of seams match. No value becomes negative. */
   solve(data: Float32Array): void {
     if (this.texels.length === 0) return;
     const places = Int32Array.from(this.places);
@@ -73,7 +73,7 @@ export class SeamSystem {
 function solveChange(places: Int32Array, weights: Float32Array, values: Float32Array): Float32Array {
   const count = values.length;
   const samples = places.length / 8;
-  /** Transposed samples of the differences between sides that an array of values has: added to `to`. */
+  /** Adds AᵀA `from` to `to`, where A gives the differences between the sides of each sample. */
   const addNormal = (from: Float32Array, to: Float32Array): void => {
     for (let i = 0; i < 8 * samples; i += 8) {
       let difference = 0;

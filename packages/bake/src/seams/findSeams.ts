@@ -1,15 +1,15 @@
 import type { SurfaceToUnwrap, UnwrappedMesh } from '../unwrap/UnwrapRequest';
 
-/** Cosine between normals from which on an edge is smooth: light is the same on both sides. */
+/** Cosine between normals above which an edge is smooth: light is equal on both sides. */
 const SMOOTH = 0.95;
-/** Positions nearer than this share of the surface's extent are one. */
+/** Positions nearer than this share of the surface's extent are equal. */
 const NEAR = 1e-5;
 
 /**
- * Edges of a surface that charts cut it along: where two triangles share an edge in space and not in the lightmap.
- * Edges that are hard are none, light may differ there.
+ * Finds the smooth edges along which charts cut a surface: two triangles share such an edge in space but not in the
+ * lightmap. Hard edges are ignored, since light may differ there.
  *
- * @returns vertices of the unwrapped mesh, four a seam: the two ends of one side, and the same two ends of the other
+ * @returns vertices of the unwrapped mesh, four per seam: both ends on one side, and both ends on the other
  */
 export function findSeams(
   { positions, normals }: SurfaceToUnwrap,
@@ -18,7 +18,7 @@ export function findSeams(
   const place = placesOf(positions);
   const places = positions.length / 3;
   const faces = normals ? null : faceNormals(positions, index, sourceVertex);
-  /** The first triangle's edge between two places: its corner, its vertices at the lower and the higher place. */
+  /** First triangle at an edge, by the edge's positions: its corner, its vertices at the lower and higher position. */
   const known = new Map<number, readonly [number, number, number]>();
   const seams: number[] = [];
   const isSame = (a: number, b: number): boolean =>

@@ -21,7 +21,7 @@ function unwrap(geometry: BufferGeometry): { surface: SurfaceToUnwrap; unwrapped
   return { surface, unwrapped: meshes[0] };
 }
 
-/** Smooth light at each texel that a chart touches, as a bake's texels have it with noise of a tenth; 0.3 elsewhere. */
+/** Smooth light with 10% noise at each texel that a chart touches, as in a bake; 0.3 elsewhere. */
 function bake({ positions }: SurfaceToUnwrap, { uv1, index, sourceVertex }: UnwrappedMesh): Float32Array {
   const data = new Float32Array(4 * SIZE * SIZE).fill(0.3);
   for (let i = 0; i < index.length; i += 3) {
@@ -50,7 +50,7 @@ function bake({ positions }: SurfaceToUnwrap, { uv1, index, sourceVertex }: Unwr
   return data;
 }
 
-/** Value of `data` at a place by bilinear filtering. */
+/** Bilinear sample of `data` at u, v. */
 function sample(data: Float32Array, u: number, v: number): number {
   const [x, y] = [u * SIZE - 0.5, v * SIZE - 0.5];
   const [column, row] = [Math.floor(x), Math.floor(y)];
@@ -63,7 +63,7 @@ function sample(data: Float32Array, u: number, v: number): number {
   return sum;
 }
 
-/** Root of the mean squared step of light across the seams, where no sample of the solver lies. */
+/** Root mean square of the light's step across seams, at points between the solver's samples. */
 function stepAcross(data: Float32Array, { uv1 }: UnwrappedMesh, seams: Uint32Array): number {
   let [sum, count] = [0, 0];
   for (let i = 0; i < seams.length; i += 4) {
@@ -101,7 +101,7 @@ describe('stitchLightmap', () => {
   });
 
   it('takes an edge for a seam where it is smooth at both ends, by its normals or its faces', () => {
-    // two triangles at one edge, whose charts lie apart
+    // two triangles with a common edge, in separate charts
     const positions = Float32Array.of(
       ...[0, 0, 0],
       ...[0, 1, 0],

@@ -2,24 +2,23 @@ import type { SurfaceToUnwrap, UnwrappedMesh } from '../unwrap/UnwrapRequest';
 import { findSeams } from './findSeams';
 import { SeamSystem } from './SeamSystem';
 
-/** A lightmap whose seams are to meet. */
+/** A lightmap whose seams are to be removed. */
 export interface StitchRequest {
   readonly size: number;
-  /** Four a texel: irradiance, filled beyond the borders of charts. */
+  /** Irradiance, four floats per texel, with the borders of charts filled. */
   readonly data: Float32Array;
   /** Meshes of the lightmap, with the surfaces that their charts were cut from. */
   readonly meshes: readonly { readonly surface: SurfaceToUnwrap; readonly unwrapped: UnwrappedMesh }[];
 }
 
 /**
- * Makes light meet where charts cut a smooth surface: bilinear filtering would else show the borders of charts as
- * lines.
+ * Equalises light where charts cut a smooth surface, since bilinear filtering would show chart borders as lines.
  *
- * @returns the data, changed
+ * @returns `data`, changed in place
  */
 export function stitchLightmap({ size, data, meshes }: StitchRequest): Float32Array {
   const system = new SeamSystem(size);
-  /** Seams by the index that equal meshes share. */
+  /** Seams by the index array that equal meshes share. */
   const known = new Map<Uint32Array, Uint32Array>();
   for (const { surface, unwrapped } of meshes) {
     let seams = known.get(unwrapped.index);

@@ -3,9 +3,9 @@ import type { UnwrappedMeshes } from '../unwrap/unwrapStaticMeshes';
 import { WorkerPool } from '../worker/WorkerPool';
 
 /**
- * `stitchLightmap` of all lightmaps, in workers.
+ * Runs `stitchLightmap` on all lightmaps, in workers.
  *
- * @param lightmaps - four floats a texel: those that are stitched come in their place
+ * @param lightmaps - four floats per texel; replaced by the stitched ones
  */
 export async function stitchSeams(
   lightmaps: Float32Array[],

@@ -1,6 +1,6 @@
 import type { CollectOptions } from '../scene/collectMeshes';
 
-/** Options under which everything is baked, and the sentences that were told. */
+/** Options that bake everything, and the collected warnings. */
 export function testOptions(): CollectOptions & { warnings: string[] } {
   const warnings: string[] = [];
   return {

@@ -9,7 +9,7 @@ import {
 import { expect, it, test } from 'vitest';
 import { OpacityMasks } from './OpacityMasks';
 
-/** A renderer that counts layers drawn into. */
+/** A renderer that counts the layers drawn. */
 function fakeRenderer() {
   const layers: number[] = [];
   const setRenderTarget = (_: object, layer: number) => void layers.push(layer);

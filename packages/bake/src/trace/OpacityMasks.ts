@@ -15,11 +15,11 @@ import mask from './opacityMask.glsl?raw';
 /** Texels along a side of a mask. */
 const SIZE = 512;
 
-/** Opacity of a material with cut-outs or glass, as rays read it. */
+/** Opacity of a material with cut-outs or glass, for the ray shader. */
 export interface Opacity {
   /** Layer of the material's opacity in the array of masks; -1 for none. */
   readonly layer: number;
-  /** 0: opaque; above 0: seen where the opacity is that at least; below: let through by chance. */
+  /** 0: opaque; above 0: alphaTest threshold of the opacity; below 0: rays pass at random, by opacity. */
   readonly test: number;
   readonly opacity: number;
 }

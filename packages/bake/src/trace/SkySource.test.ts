@@ -38,7 +38,7 @@ it('is the environment as the scene has it: its intensity, and turned as three t
   const { isBlack, value, defines } = source(scene, 'environment');
   expect([isBlack, value('Map'), value('Factor')]).toEqual([false, scene.environment, 0.25]);
   expect(defines).toEqual({ SKY_LIGHTS: 1, SKY_TEXTURE: '' });
-  // the direction in which the texture is looked up, turned back, is the one in the world
+  // the lookup direction, rotated back, is the world direction
   const world = new Vector3(1, 2, 3).normalize();
   const looked = world.clone().applyMatrix3(value<Matrix3>('Turn')).applyEuler(scene.environmentRotation);
   for (const axis of ['x', 'y', 'z'] as const) expect(looked[axis]).toBeCloseTo(world[axis], 12);

@@ -5,14 +5,14 @@ import { dataTexture } from './dataTexture';
 import { OpacityMasks } from './OpacityMasks';
 import { packBvh } from './packBvh';
 
-/** Triangles of a scene on the GPU, as traverse.glsl and emitters.glsl read them. */
+/** Triangles of a scene on the GPU, in the layout that traverse.glsl and emitters.glsl read. */
 export class TracedScene {
   readonly bounds = new Box3();
-  /** Distance by which rays start off a surface (m). */
+  /** Offset of a ray's start from its surface (m). */
   readonly offset: number;
   readonly uniforms: Record<string, { value: unknown }>;
   readonly defines: Record<string, unknown>;
-  /** Whether any triangle shines. */
+  /** Whether any triangle is emissive. */
   readonly shines: boolean;
   private readonly textures: Record<string, DataTexture>;
   private readonly masks: OpacityMasks;

@@ -1,9 +1,9 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 
-/** Texels of a row of a table: a power of 2, so that shaders find a texel by shifts. Equals TABLE_SHIFT in tables.glsl. */
+/** Texels per row of a table, a power of 2 for bit shifts in shaders. Equals TABLE_SHIFT in tables.glsl. */
 const WIDTH = 2048;
 
-/** A table of float quadruples on the GPU. @param data - four a texel */
+/** Makes a table of float quadruples on the GPU. @param data - four numbers per texel */
 export function dataTexture(data: Float32Array): DataTexture {
   const height = Math.max(1, Math.ceil(data.length / 4 / WIDTH));
   const whole = new Float32Array(4 * WIDTH * height);

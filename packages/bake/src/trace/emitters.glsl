@@ -1,11 +1,11 @@
-// Light of surfaces that shine by themselves, by a point on them chosen by power
+// Light of emissive surfaces, by a point on them that is chosen in proportion to power
 // Veach 1997, Robust Monte Carlo Methods for Light Transport Simulation, 9.2
 uniform highp sampler2D farol_emitters; // for each emissive triangle: cumulated share of all power, index
 uniform int farol_emitterCount;
 uniform float farol_emitterPower; // sum of luminance × area over all emissive triangles
 uniform highp sampler2DArray farol_emission;
 
-// chance, by solid angle, that a triangle's point is chosen. range: of the triangle
+// probability density by solid angle of choosing a point of a triangle. range: the triangle's
 float farol_emitterChance(const in int range, const in float distance, const in float facing) {
   float luminance = farol_table(farol_ranges, 2 * range + 1).z;
   return luminance / farol_emitterPower * distance * distance / max(facing, 1e-6);
@@ -21,7 +21,7 @@ vec3 farol_emitterLight(const in vec3 origin, const in vec3 normal, const in ive
     else low = middle + 1;
   }
   int triangle = int(farol_table(farol_emitters, low).y);
-  // the place within the share of the triangle chosen is random as well
+  // the position within the chosen triangle's share is a random number too
   float before = low > 0 ? farol_table(farol_emitters, low - 1).x : 0.0;
   u.x = clamp((u.x - before) / max(farol_table(farol_emitters, low).x - before, 1e-9), 0.0, 1.0);
   float root = sqrt(u.x);

@@ -1,12 +1,12 @@
-// Light of a light of the table at a point: what three and Farol give, with soft edges of shadows
+// Light of a table's light at a point, as in three and Farol, with soft shadow edges
 // three.js, lights_pars_begin; Lagarde and de Rousiers 2014, Moving Frostbite to PBR, equation 26
 uniform highp sampler2D farol_lights; // table of lights, nine texels each, see lightTable.ts
-uniform highp sampler2D farol_cells; // cells of a grid, a texel each: first entry of the cell's lights, and their count
-uniform highp sampler2D farol_cellLights; // indices of the cells' lights, four a texel
+uniform highp sampler2D farol_cells; // one texel per grid cell: index of the cell's first light, count
+uniform highp sampler2D farol_cellLights; // indices of the cells' lights, four per texel
 uniform ivec3 farol_grid; // number of cells along each axis
 uniform vec3 farol_gridLeast;
 uniform vec3 farol_gridScale; // number of cells per metre along each axis
-uniform int farol_endlessLights; // come first in the table, and are in no cell
+uniform int farol_endlessLights; // number of lights without a range: they come first in the table, and are in no cell
 
 float farol_falloff(const in float distance, const in float range, const in float decay) {
   float falloff = 1.0 / max(pow(distance, decay), 0.01);
@@ -19,11 +19,11 @@ float farol_falloff(const in float distance, const in float range, const in floa
   return falloff;
 }
 
-// what a light would give to a point with a normal if nothing were between, and where it comes from
+// unshadowed light of a light at a point with a normal, and its direction
 struct FarolArrival {
   vec3 irradiance;
-  vec3 always; // light that is given through walls too
-  vec3 path; // vector from the point to a (random) point of the light (m)
+  vec3 always; // light that is not shadowed
+  vec3 path; // vector from the point to a (random) point on the light (m)
   bool isEndless;
 };
 
@@ -68,7 +68,7 @@ FarolArrival farol_arrival(const in int light, const in vec3 position, const in 
   float distance = length(toLight);
   if (colour.w > 0.0 && distance >= colour.w) return arrival;
   vec3 along = toLight / distance;
-  vec4 law = farol_table(farol_lights, 9 * light + 4); // x: law of the falloff; yzw: parameters of that law
+  vec4 law = farol_table(farol_lights, 9 * light + 4); // x: kind of falloff; yzw: its parameters
   float attenuation = 1.0;
   if (kind == 2) {
     float cosine = dot(along, axis.xyz);
@@ -79,14 +79,14 @@ FarolArrival farol_arrival(const in int light, const in vec3 position, const in 
   else if (law.x == 2.0) attenuation /= max(law.y + distance * (law.z + distance * law.w), 0.01);
   else attenuation *= farol_falloff(distance, colour.w, axis.w);
   arrival.irradiance = attenuation * max(dot(normal, along), 0.0) * colour.rgb;
-  // a light of the thesis lights all around it, whatever is between
+  // ambient part of a light of the thesis: unshadowed
   arrival.always = attenuation * farol_table(farol_lights, 9 * light + 5).rgb;
   arrival.path = toLight;
   if (cone.z > 0.0) arrival.path += cone.z * (farol_basis(along) * vec3(farol_disc(u), 0.0));
   return arrival;
 }
 
-// origin: of the ray, off the surface of the position
+// origin: start of the ray, offset from the surface at position
 vec3 farol_unshadowed(const in FarolArrival arrival, const in vec3 position, const in vec3 origin) {
   vec3 light = arrival.always;
   if (arrival.irradiance == vec3(0.0)) return light;
@@ -101,7 +101,7 @@ bool farol_isSoft(const in int light) {
   return farol_table(farol_lights, 9 * light).w >= 3.0 || farol_table(farol_lights, 9 * light + 3).z > 0.0;
 }
 
-// lights that reach a point: those without an end, then those of its cell
+// range in the list of lights that reach a point: those without a range, then those of its cell
 ivec2 farol_lightList(const in vec3 position) {
   ivec3 cell = clamp(ivec3((position - farol_gridLeast) * farol_gridScale), ivec3(0), farol_grid - 1);
   return ivec2(farol_table(farol_cells, cell.x + farol_grid.x * (cell.y + farol_grid.y * cell.z)).xy);

@@ -23,7 +23,7 @@ it('no light that reaches a point is missing in the cell of that point, and few 
       .subScalar(margin)
       .multiply(bounds.getSize(new Vector3()))
       .add(bounds.min);
-  // some stand outside of the bounds
+  // some lights are outside of the bounds
   const reaching = Array.from({ length: 60 }, () =>
     light(random() < 0.5 ? 'point' : 'spot', within(0.3), 0.2 + 2 * random()),
   );

@@ -8,7 +8,7 @@ const TEXELS = 9;
 /** Maximum number of cells along the grid's longest side. */
 const MOST_CELLS = 32;
 
-/** Lights on the GPU: a table, and for each cell of a grid those that reach it. */
+/** Lights on the GPU: a table of lights, and a grid whose cells list the lights that reach them. */
 export interface LightTable {
   readonly count: number;
   /** Whether any light casts shadows with soft edges, which need more than one sample. */
@@ -26,7 +26,7 @@ export interface LightTable {
   dispose(): void;
 }
 
-/** @param bounds - of all surfaces, world space */
+/** @param bounds - bounds of all surfaces, world space */
 export function lightTable(all: readonly TracedLight[], bounds: Box3): LightTable {
   const reach = ({ kind, range }: TracedLight): number => (kind === 'point' || kind === 'spot' ? range : 0);
   const endless = all.filter((light) => reach(light) === 0);
@@ -87,7 +87,7 @@ function listsOfCells(lights: readonly TracedLight[], first: number, least: Vect
     for (let z = from.z; z <= to.z; z++)
       for (let y = from.y; y <= to.y; y++)
         for (let x = from.x; x <= to.x; x++) {
-          // the cell's point that is nearest to the light
+          // the point of the cell nearest to the light
           at.copy(position).sub(least).multiply(scale);
           at.set(nearest(at.x, x), nearest(at.y, y), nearest(at.z, z)).divide(scale).add(least);
           if (at.distanceToSquared(position) <= range * range) lists[x + grid.x * (y + grid.y * z)].push(i);

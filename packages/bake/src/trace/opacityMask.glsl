@@ -1,4 +1,4 @@
-// Opacity of a material's maps over their whole area
+// Draws the opacity of a material's maps over their whole UV square
 // three.js, alphamap_fragment
 uniform sampler2D map;
 uniform sampler2D alphaMap;

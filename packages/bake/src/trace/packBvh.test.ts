@@ -10,7 +10,7 @@ import {
 import { expect, it } from 'vitest';
 import { packBvh, type PackedBvh } from './packBvh';
 
-/** Distance to the first triangle along a ray, by walking the hierarchy as the shader does. */
+/** Distance to the first triangle along a ray, traversing the hierarchy like the shader. */
 function firstHit({ nodes, order, depth }: PackedBvh, positions: Float32Array, from: Vector3, along: Vector3): number {
   let nearest = Infinity;
   const stack = [0];

@@ -1,26 +1,26 @@
 import { BufferAttribute, BufferGeometry, type DataTexture } from 'three';
 import { MeshBVH, MeshBVHUniformStruct, SAH } from 'three-mesh-bvh';
 
-/** A bounding volume hierarchy as a shader walks it. */
+/** A bounding volume hierarchy in the layout of the shader. */
 export interface PackedBvh {
   /**
-   * 16 an inner node, the root first: of each of its two children the least corner and a reference, the greatest corner
-   * and a count. Count 0: the reference is a node; else it is the first of so many triangles.
+   * Inner nodes of 16 floats, the root first: for each of two children the minimum corner and a reference, the maximum
+   * corner and a count. Count 0: the reference is a node; else it is the first of `count` triangles.
    */
   readonly nodes: Float32Array;
-  /** Triangles in the order of the leaves: which of the given triangles each is. */
+  /** Indices of the given triangles in the order of the leaves. */
   readonly order: Uint32Array;
-  /** Inner nodes from the root to the deepest leaf. */
+  /** Number of inner nodes from the root to the deepest leaf. */
   readonly depth: number;
 }
 
 const FLOATS = 16;
 
 /**
- * Builds a hierarchy over triangles, by three-mesh-bvh, with both children's bounds in their parent, so that a step reads
- * four texels in a row.
+ * Builds a hierarchy over triangles with three-mesh-bvh. A node stores the bounds of both children, so that the shader
+ * reads four consecutive texels per step.
  *
- * @param positions - nine a triangle
+ * @param positions - nine numbers per triangle
  * @see Aila and Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs
  */
 export function packBvh(positions: Float32Array): PackedBvh {
@@ -33,7 +33,7 @@ export function packBvh(positions: Float32Array): PackedBvh {
     ),
   );
   const bvh = new MeshBVH(geometry, { strategy: SAH, targetLeafSize: 4, maxDepth: 40 });
-  // the struct's types do not declare its textures
+  // the class's type declarations lack its textures
   const struct = new MeshBVHUniformStruct() as MeshBVHUniformStruct & Record<'bvhBounds' | 'bvhContents', DataTexture>;
   struct.updateFrom(bvh);
   const bounds = struct.bvhBounds.image.data as Float32Array;
@@ -54,13 +54,13 @@ export function packBvh(positions: Float32Array): PackedBvh {
     nodes[at + 3] = count > 0 ? contents[2 * node + 1] : reference;
     nodes[at + 7] = count;
   };
-  /** Inner nodes whose children are to be written: node, its place, inner nodes above it. */
+  /** Inner nodes whose children are not written yet: node, its position in the output, depth. */
   const open: [number, number, number][] = [];
   let next = 1;
   nodes.length = FLOATS;
   if (isLeaf(0)) {
     writeChild(0, 0, 0);
-    // fills up with a box that no ray meets
+    // the second child is an empty box, which no ray hits
     nodes.splice(8, 8, 1, 1, 1, 0, -1, -1, -1, 1);
     return { nodes: Float32Array.from(nodes), order, depth: 1 };
   }

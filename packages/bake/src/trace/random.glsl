@@ -1,8 +1,9 @@
-// Low-discrepancy points whose union over neighbouring texels is one as well, and directions and places made of them
-// Ahmed and Wonka 2020, Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of
-// Pixels; Burley 2020, Practical Hash-based Owen Scrambling; Jarzynski and Olano 2020, Hash Functions for GPU Rendering
+// Low-discrepancy points, also over neighbouring texels together, and directions and positions made from them
+// Ahmed and Wonka 2020, Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering
+// of Pixels; Burley 2020, Practical Hash-based Owen Scrambling; Jarzynski and Olano 2020, Hash Functions for GPU
+// Rendering
 uniform uint farol_seed;
-uniform uint farol_stride; // samples of a texel, or more: a power of 2
+uniform uint farol_stride; // samples per texel, rounded up to a power of 2
 
 uvec3 farol_hash(uvec3 v) {
   v = v * 1664525u + 1013904223u;
@@ -40,9 +41,9 @@ uvec2 farol_sobol(const in uint index) {
   return uvec2(index, second);
 }
 
-// which: number of the sample; stream: apart for each use in a sample
+// which: index of the sample; stream: different for each use within a sample
 vec2 farol_sample2(const in ivec2 texel, const in int which, const in int stream) {
-  // texels of a tile of 16 by 16 along a curve, each with a run of its own of one sequence
+  // texels of a 16 × 16 tile along a space-filling curve, each with its own range of one sequence
   uvec2 place = uvec2(texel) & 15u;
   place = (place | place << 2u) & 0x33u;
   place = (place | place << 1u) & 0x55u;
@@ -69,7 +70,7 @@ mat3 farol_basis(const in vec3 normal) {
   );
 }
 
-// concentric, so that what is near in the square is near on the disc
+// concentric mapping, so that neighbours in the square are neighbours on the disc
 // Shirley and Chiu 1997, A Low Distortion Map Between Disk and Square
 vec2 farol_disc(const in vec2 u) {
   vec2 p = 2.0 * u - 1.0;
@@ -80,7 +81,7 @@ vec2 farol_disc(const in vec2 u) {
   return radius * round;
 }
 
-// random direction above a surface, distributed by the cosine to its normal
+// random direction in the hemisphere of a normal, cosine-weighted
 vec3 farol_hemisphere(const in vec3 normal, const in vec2 u) {
   vec2 disc = farol_disc(u);
   return farol_basis(normal) * vec3(disc, sqrt(max(0.0, 1.0 - dot(disc, disc))));

@@ -1,8 +1,8 @@
-// Radiance from beyond the scene
+// Radiance from outside the scene
 // three.js, hemilight_fragment and equirectUv
 uniform vec3 farol_skyColour;
 uniform vec3 farol_skyUp[SKY_LIGHTS];
-uniform vec3 farol_skyAbove[SKY_LIGHTS]; // radiance from above, of each sky light
+uniform vec3 farol_skyAbove[SKY_LIGHTS]; // radiance of the upper half, for each sky light
 uniform vec3 farol_skyBelow[SKY_LIGHTS];
 #ifdef SKY_TEXTURE
 uniform sampler2D farol_skyMap;

@@ -1,8 +1,8 @@
-// Walks the bounding volume hierarchy along a ray: the nearest triangle, or the share of light that comes through
+// Traverses the bounding volume hierarchy along a ray: finds the nearest triangle, or the share of light that passes
 // Aila and Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs; Möller and Trumbore 1997
 uniform highp sampler2D farol_nodes;
-uniform highp sampler2D farol_triangles; // three a triangle: corner and range, edge and place in the list, edge
-uniform highp sampler2D farol_corners; // three a triangle: UV in the lightmap, UV of the map
+uniform highp sampler2D farol_triangles; // three texels per triangle: corner and range, edge and index, edge
+uniform highp sampler2D farol_corners; // three texels per triangle: lightmap UVs, map UVs
 uniform highp sampler2D farol_ranges; // table of ranges of triangles, two texels each, see rangesTable
 uniform highp sampler2DArray farol_opacity;
 
@@ -25,10 +25,10 @@ float farol_boxDistance(const in vec4 least, const in vec4 greatest, const in ve
   return enter <= leave * 1.0000004 ? enter : 1e30;
 }
 
-// share of the rays that a surface keeps, where it is met
+// opacity of a surface at a hit: the share of rays that it stops
 float farol_opacityAt(const in int triangle, const in int range, const in vec2 barycentric) {
   vec4 surface = farol_table(farol_ranges, 2 * range);
-  if (surface.z == 0.0) return 1.0; // an opaque material lets nothing through
+  if (surface.z == 0.0) return 1.0; // an opaque material stops every ray
   float opacity = surface.w;
   if (surface.y >= 0.0) {
     vec2 uv = (1.0 - barycentric.x - barycentric.y) * farol_table(farol_corners, 3 * triangle).zw;
@@ -36,18 +36,17 @@ float farol_opacityAt(const in int triangle, const in int range, const in vec2 b
     uv += barycentric.y * farol_table(farol_corners, 3 * triangle + 2).zw;
     opacity *= textureLod(farol_opacity, vec3(uv, surface.y), 0.0).r;
   }
-  if (surface.z > 0.0) return opacity < surface.z ? 0.0 : 1.0; // alphaTest lets all or nothing through
+  if (surface.z > 0.0) return opacity < surface.z ? 0.0 : 1.0; // alphaTest: a texel stops all rays or none
   return clamp(opacity, 0.0, 1.0);
 }
 
-// most: distance beyond which nothing counts; shadow: ends where nothing comes through; through: share of light that
-// does
+// most: greatest distance; shadow: stops when no light passes; through: share of light that passes
 FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in float most, const in bool shadow,
   out float through) {
   FarolHit hit = FarolHit(1e30, -1, -1, vec2(0.0), true);
   through = 1.0;
   float nearest = most;
-  float before = -1.0; // distance of the last triangle that was met
+  float before = -1.0; // distance of the last triangle hit
   vec3 safe = vec3(
     abs(direction.x) > 1e-12 ? direction.x : 1e-12,
     abs(direction.y) > 1e-12 ? direction.y : 1e-12,
@@ -64,7 +63,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
     vec4 rightGreatest = farol_table(farol_nodes, 4 * node + 3);
     float left = farol_boxDistance(leftLeast, leftGreatest, origin, inverse, nearest);
     float right = farol_boxDistance(rightLeast, rightGreatest, origin, inverse, nearest);
-    ivec2 leaf = ivec2(-1, 0); // first triangle and count, of one child or both in turn
+    ivec2 leaf = ivec2(-1, 0); // first triangle and count, of one or both children in turn
     ivec2 other = ivec2(-1, 0);
     if (left < 1e30 && leftGreatest.w > 0.0) leaf = ivec2(leftLeast.w, leftGreatest.w);
     if (right < 1e30 && rightGreatest.w > 0.0) other = ivec2(rightLeast.w, rightGreatest.w);
@@ -82,7 +81,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
         vec3 q = cross(t, edge1.xyz);
         float v = dot(direction, q) * factor;
         float distance = dot(edge2.xyz, q) * factor;
-        // NaN gives false
+        // false for NaN
         bool isMet = u >= -1e-6 && v >= -1e-6 && u + v <= 1.000001 && distance > 0.0 && distance < nearest;
         if (!isMet) continue;
         int range = int(corner.w);
@@ -90,7 +89,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
         if (shadow && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // the range casts no shadow
         float opacity = farol_opacityAt(triangle, range, barycentric);
         if (shadow) {
-          // along an edge two triangles are met, which are one surface
+          // two triangles hit at their common edge count as one surface
           if (abs(distance - before) <= 1e-6 * distance) continue;
           if (opacity > 0.0) before = distance;
           through *= 1.0 - opacity;
@@ -100,7 +99,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
           }
           continue;
         }
-        // by chance, where a ray goes on or ends
+        // random number that decides whether the ray stops
         uvec3 key = floatBitsToUint(origin + direction) + uint(triangle);
         if (opacity < 1.0 && farol_random(key).x >= opacity) continue;
         nearest = distance;
@@ -128,14 +127,14 @@ FarolHit farol_trace(const in vec3 origin, const in vec3 direction, const in flo
   return farol_walk(origin, direction, most, false, through);
 }
 
-// share of a light that comes through
+// share of a light that passes
 float farol_transmittance(const in vec3 origin, const in vec3 direction, const in float most) {
   float through;
   farol_walk(origin, direction, most, true, through);
   return through;
 }
 
-// where a hit lies in its lightmap: UV and layer, -1 for none
+// lightmap UV and layer of a hit; layer -1 for none
 vec3 farol_hitPlace(const in FarolHit hit) {
   float layer = farol_table(farol_ranges, 2 * hit.range).x;
   vec2 uv = (1.0 - hit.barycentric.x - hit.barycentric.y) * farol_table(farol_corners, 3 * hit.triangle).xy;
@@ -144,7 +143,7 @@ vec3 farol_hitPlace(const in FarolHit hit) {
   return vec3(uv, layer);
 }
 
-// whether light goes to and comes from the side of a surface that was hit
+// whether the side of a surface that was hit receives and emits light
 bool farol_hitShines(const in FarolHit hit) {
   return hit.isFront || farol_table(farol_ranges, 2 * hit.range + 1).x > 0.0;
 }

@@ -3,22 +3,22 @@ import type { Charts } from './cutCharts';
 import { type Footprint, footprintOf } from './footprint';
 import { TexelGrid } from './TexelGrid';
 
-/** A chart of a surface, at the scale that is tried. */
+/** A chart of a surface, at the scale that is being tried. */
 interface Shape {
   readonly uvs: Float32Array;
   readonly chart: Chart;
   footprint: Footprint;
 }
 
-/** A chart of one mesh, and where it was placed. */
+/** A chart of one mesh, and its position in the lightmap. */
 interface Piece {
   readonly shape: Shape;
   place: number;
 }
 
 /**
- * Packs charts of meshes side by side into one lightmap, at scales that are tried: the highest first, each where it
- * first fits texel by texel, so that small ones fill what large ones leave.
+ * Packs charts of meshes into one lightmap at a given density: tallest first, each at the first position where its
+ * texels fit, so that small charts fill gaps between large ones.
  *
  * @see Lévy et al. 2002, Least Squares Conformal Maps for Automatic Texture Atlas Generation, section 5
  */
@@ -27,7 +27,7 @@ export class ChartPacker {
   private readonly pieces: Piece[][] = [];
   private scale = 0;
 
-  /** @param surfaces - one a mesh; equal ones are the same object */
+  /** @param surfaces - one per mesh; meshes with equal surfaces share one object */
   constructor(
     private readonly surfaces: readonly Charts[],
     private readonly size: number,
@@ -59,11 +59,11 @@ export class ChartPacker {
     return all / this.size ** 2;
   }
 
-  /** Whether all charts fit. They then lie so. */
+  /** Packs all charts at a density. @returns whether all fit */
   pack(texelsPerMetre: number): boolean {
     this.need(texelsPerMetre);
     const grid = new TexelGrid(this.size);
-    // where the last chart of a width and height was placed: before that there is hardly room for the next
+    // last position of a chart by its width and height: the search for an equal one begins there
     const last = new Map<number, number>();
     const order = this.pieces
       .flat()

@@ -3,12 +3,12 @@ import type { Footprint } from './footprint';
 /** Occupancy of the texels of a square lightmap. */
 export class TexelGrid {
   /**
-   * For each texel, and one more a row that counts as taken: the number of free texels from it on to the right, or,
-   * where it is taken, minus a number of taken texels (at least).
+   * For each texel, and an occupied one at each row's end: if free, the number of consecutive free texels from here to
+   * the right; if occupied, minus a lower bound on the number of occupied ones.
    */
   private readonly free: Int16Array;
   private readonly stride: number;
-  /** Upper bound of the free texels in succession, for each row. */
+  /** Upper bound on the longest free run of each row. */
   private readonly longest: Int16Array;
 
   constructor(private readonly size: number) {
@@ -22,10 +22,10 @@ export class TexelGrid {
   }
 
   /**
-   * First position, by rows and columns, where a chart touches no occupied texel; -1 for none.
+   * First position, row by row, where a chart touches no occupied texel; -1 for none.
    *
    * @param from - position where the search begins
-   * @returns row times (size + 1) and column, of the chart's texel 0, 0
+   * @returns row × (size + 1) + column of the chart's texel 0, 0
    */
   find({ width, height, touched }: Footprint, from: number): number {
     const { stride, free, longest } = this;
@@ -37,7 +37,7 @@ export class TexelGrid {
         for (let i = 0; i < touched.length; i += 3) {
           const run = free[(row + touched[i]) * stride + column + touched[i + 1]];
           if (run >= touched[i + 2]) continue;
-          // skips to beyond the obstacle
+          // continues behind the obstacle
           column += run < 0 ? -run : run + 1;
           continue nextPlace;
         }
@@ -47,7 +47,7 @@ export class TexelGrid {
     return -1;
   }
 
-  /** Takes the texels of a chart that lies at a place, and its padding. */
+  /** Marks the texels of a chart at a position, with its padding, as occupied. */
   take({ padded }: Footprint, place: number): void {
     const { size, stride, free } = this;
     const column = place % stride;
@@ -58,7 +58,7 @@ export class TexelGrid {
       const first = Math.max(0, column + padded[i + 1]);
       const end = Math.min(size, column + padded[i + 1] + padded[i + 2]);
       const begin = y * stride;
-      // occupied texels to the right are counted too
+      // includes occupied texels further to the right
       let taken = Math.max(0, -free[begin + end]);
       for (let x = end - 1; x >= first; x--) free[begin + x] = -Math.min(++taken, 0x7fff);
       for (let x = first - 1; x >= 0 && free[begin + x] > 0; x--) free[begin + x] = first - x;

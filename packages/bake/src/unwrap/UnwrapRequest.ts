@@ -1,10 +1,10 @@
-/** A surface to be cut into charts; meshes that differ only in their transforms share one. */
+/** A surface to cut into charts; meshes that differ only in their transforms share one. */
 export interface SurfaceToUnwrap {
-  /** Three a vertex (m): of the mesh, scaled as in the world. */
+  /** Three numbers per vertex (m): the mesh's positions in the scale of the world. */
   readonly positions: Float32Array;
-  /** Three a vertex, unit length; null: normals of the faces. */
+  /** Unit normals, three numbers per vertex; null for face normals. */
   readonly normals: Float32Array | null;
-  /** Vertex indices, three a triangle. */
+  /** Vertex indices, three per triangle. */
   readonly index: Uint32Array;
 }
 
@@ -24,7 +24,7 @@ export interface UnwrapRequest extends PackOptions {
   readonly meshes: readonly number[];
 }
 
-/** A mesh's place in a lightmap: see BakedMesh. Equal meshes may share arrays. */
+/** A mesh's coordinates in a lightmap: see BakedMesh. Equal meshes may share arrays. */
 export interface UnwrappedMesh {
   readonly lightmap: number;
   readonly uv1: Float32Array;

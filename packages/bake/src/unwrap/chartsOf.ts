@@ -12,7 +12,7 @@ export interface Chart {
   readonly height: number;
 }
 
-/** The charts of a surface one by one. Triangles of no area are in none. */
+/** Splits a surface into its charts. Triangles without area are in none. */
 export function chartsOf({ uvs, index, charts }: Charts): Chart[] {
   const triangles: number[][] = [];
   charts.forEach((chart, triangle) => {

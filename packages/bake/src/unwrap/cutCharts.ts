@@ -1,15 +1,15 @@
 import type { XAtlasModule } from 'xatlas-wasm';
 import type { SurfaceToUnwrap } from './UnwrapRequest';
 
-/** A surface laid out flat: charts side by side, in metres. */
+/** A flattened surface: charts side by side, in metres. */
 export interface Charts {
   /** Area of all charts (m²). */
   readonly area: number;
   /** UVs of the vertices, two numbers each (m). */
   readonly uvs: Float32Array;
-  /** Three a triangle, in the order of the surface's triangles. */
+  /** Vertex indices, three per triangle, in the order of the surface's triangles. */
   readonly index: Uint32Array;
-  /** The surface's vertex that a vertex comes from. */
+  /** Source vertex in the surface, one per vertex. */
   readonly sourceVertex: Uint32Array;
   /** Chart of each triangle; NO_CHART for those without area. */
   readonly charts: Uint32Array;
@@ -18,13 +18,13 @@ export interface Charts {
 /** Chart index of triangles that are in no chart. */
 export const NO_CHART = 0xffffffff;
 
-/** Triangles after which xatlas ends a chart: the time to grow one rises faster than its size. */
+/** Number of triangles after which xatlas closes a chart, since growth takes superlinear time. */
 const TRIANGLES_OF_A_CHART = 1500;
-/** Texels along the side of a square of the whole surface's area, while charts are laid out. */
+/** Resolution of a chart layout: texels along the side of a square with the surface's area. */
 const RESOLUTION = 1024;
 
 /**
- * Cuts a surface into charts that are flat without much distortion.
+ * Cuts a surface into flat charts with little distortion.
  *
  * @see xatlas, after thekla_atlas; least squares conformal maps, Lévy 2002
  */
@@ -32,10 +32,11 @@ export function cutCharts(xatlas: XAtlasModule, { positions, normals, index }: S
   const atlas = xatlas.createAtlas();
   try {
     const error = atlas.addMesh({ positions, indices: index, ...(normals ? { normals } : {}) });
-    if (error !== 0) throw new Error(`A mesh cannot be unwrapped: ${xatlas.addMeshErrorString(error)}.`);
+    if (error !== 0)
+      throw new Error(`A mesh cannot be unwrapped (${xatlas.addMeshErrorString(error)}): correct its index.`);
     const area = surfaceArea(positions, index);
     const triangles = index.length / 3;
-    // growing a chart costs by the square of its triangles
+    // growing a chart takes quadratic time in its triangles
     const maxBoundaryLength =
       triangles > TRIANGLES_OF_A_CHART ? 5 * Math.sqrt((area * TRIANGLES_OF_A_CHART) / triangles) : 0;
     atlas.computeCharts({ maxBoundaryLength, maxIterations: 1 });
@@ -57,7 +58,7 @@ export function cutCharts(xatlas: XAtlasModule, { positions, normals, index }: S
   }
 }
 
-/** Area of a surface (m²). @param positions - three a vertex @param index - three a triangle */
+/** Area of a surface (m²). @param positions - three numbers per vertex @param index - three per triangle */
 function surfaceArea(positions: Float32Array, index: Uint32Array): number {
   let area = 0;
   for (let i = 0; i < index.length; i += 3) {

@@ -28,7 +28,7 @@ it('meshes share a surface where geometry, size and shading are equal, however t
   const { surfaces, surfaceOf } = distinctSurfaces(collectMeshes(scene, testOptions()));
   expect(surfaceOf).toEqual([0, 0, 1, 1, 2, 3, 4]);
   expect(surfaces.map(({ normals }) => normals !== null)).toEqual([true, true, true, false, true]);
-  // in metres: each box as large as it is in the world
+  // sides in metres: each box in its world size
   const sides = surfaces.map(({ positions }) =>
     [0, 1, 2].map((axis) => 2 * Math.max(...positions.filter((_, i) => i % 3 === axis))),
   );

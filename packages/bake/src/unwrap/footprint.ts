@@ -3,9 +3,9 @@ import type { Chart } from './chartsOf';
 /** Horizontal runs of texels, three numbers each: row, first column, count. */
 export type Runs = Int32Array;
 
-/** Texels that a chart covers; its uvs begin at the centre of texel 0, 0 and end at a centre. */
+/** Texels that a chart covers. Its UVs begin at the centre of texel 0, 0 and end at a texel centre. */
 export interface Footprint {
-  /** Texels along its bounds, from the first to the last centre. */
+  /** Width of its bounds in texels, from the first to the last texel centre. */
   readonly width: number;
   readonly height: number;
   /** Whether the chart is turned: u and v are exchanged. */
@@ -17,15 +17,15 @@ export interface Footprint {
   readonly touched: Runs;
   /** Touched texels and those within the padding; rows and columns may be negative. */
   readonly padded: Runs;
-  /** Number of texels that the chart needs: those that it touches, and half of the padding around them. */
+  /** Texels that the chart needs: those that it touches, and half of the padding around them. */
   readonly need: number;
 }
 
 /**
- * The texels that a chart touches. Sides are stretched to whole texels, so that borders of charts lie on centres where
- * they are straight; long sides lie along rows.
+ * Computes the texels that a chart touches. The chart is stretched to whole texels, so that straight borders lie on
+ * texel centres, and rotated so that its longer side lies along rows.
  *
- * @param uvs - of the chart's surface (m)
+ * @param uvs - UVs of the chart's surface (m)
  */
 export function footprintOf(
   uvs: Float32Array,
@@ -60,12 +60,12 @@ export function footprintOf(
   return { width: columns, height: rows, isTurned, scaleU, scaleV, touched, padded, need };
 }
 
-/** Marks the texels whose square a triangle touches. Texel 0, 0 has its centre at 0, 0. */
+/** Marks the texels that a triangle touches. Texel 0, 0 has its centre at 0, 0. */
 function touch(grid: Uint8Array, columns: number, rows: number, x: Float64Array, y: Float64Array): void {
   const first = Math.max(0, Math.round(Math.min(y[0], y[1], y[2])));
   const last = Math.min(rows - 1, Math.round(Math.max(y[0], y[1], y[2])));
   for (let row = first; row <= last; row++) {
-    // the part of the triangle between the row's lower and upper border
+    // clips the triangle to the lower and upper border of the row
     const [low, high] = [row - 0.5, row + 0.5];
     let [least, most] = [Infinity, -Infinity];
     const add = (at: number): void => {
@@ -84,7 +84,7 @@ function touch(grid: Uint8Array, columns: number, rows: number, x: Float64Array,
   }
 }
 
-/** Grid larger by `by` on all sides, with each texel marked that is within `by` of a marked one. */
+/** A grid enlarged by `by` on all sides, in which all texels within `by` of a marked one are marked. */
 function dilate(grid: Uint8Array, columns: number, rows: number, by: number): Uint8Array {
   const [wide, high] = [columns + 2 * by, rows + 2 * by];
   const along = new Uint8Array(wide * rows);

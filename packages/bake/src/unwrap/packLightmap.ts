@@ -10,19 +10,19 @@ export interface Packed {
   readonly meshes: readonly Omit<UnwrappedMesh, 'lightmap'>[];
 }
 
-/** Share of a lightmap that charts need when packing goes well, half of the padding round them included. */
+/** Share of a lightmap that charts typically fill when packed, including half of their padding. */
 const NEED = 0.93;
-/** Need (share of the lightmap's texels) above which packing is not tried: padding of charts would overlap. */
+/** Share of the lightmap's texels above which packing is not tried, since padding would overlap. */
 const MOST_NEED = 1.25;
-/** Factor between two densities (texels per metre) that the search for the finest one tries. */
+/** Factor between consecutive densities (texels per metre) in the search for the highest one. */
 const STEP = 1.04;
 const MOST_STEPS = 60;
 
 /**
  * Packs the charts of meshes into one lightmap.
  *
- * @param surfaces - one a mesh; equal ones are the same object
- * @param texelsPerMetre - null: as many as there is room for
+ * @param surfaces - one per mesh; meshes with equal surfaces share one object
+ * @param texelsPerMetre - null: the highest that fits
  * @returns null when the lightmap is too small
  */
 export function packLightmap(
@@ -38,7 +38,7 @@ export function packLightmap(
 
 const totalArea = (surfaces: readonly Charts[]): number => surfaces.reduce((sum, { area }) => sum + area, 0);
 
-/** Share of the lightmap that lies within charts. */
+/** Share of the lightmap's area that charts cover. */
 function coveredArea(meshes: Packed['meshes']): number {
   let area = 0;
   for (const { uv1, index } of meshes) {
@@ -51,7 +51,7 @@ function coveredArea(meshes: Packed['meshes']): number {
   return area;
 }
 
-/** Packs nearly as finely as there is room for. @returns false when charts do not fit however small they are */
+/** Packs at nearly the highest density that fits. @returns false when charts do not fit at any density */
 function packFinest(packer: ChartPacker, size: number, surfaces: readonly Charts[]): boolean {
   if (packer.need(0) > MOST_NEED) return false;
   let scale = size / Math.sqrt(totalArea(surfaces));

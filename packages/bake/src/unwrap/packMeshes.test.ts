@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import type { Charts } from './cutCharts';
 import { packMeshes } from './packMeshes';
 
-/** Rectangles side by side as the charts of one surface, of so many metres. */
+/** Charts of one surface: rectangles side by side, with sides in metres. */
 function rectangles(sides: readonly (readonly [number, number])[]): Charts {
   const uvs: number[] = [];
   const index: number[] = [];
@@ -41,7 +41,7 @@ test('charts begin and end at centres of texels, with the padding between them, 
     expect(Math.max(right, top)).toBeLessThan(size);
     covered += (right - left) * (top - bottom);
     bounds.slice(0, i).forEach((other) => {
-      // texels from the last of one to the first of the other
+      // gap in texels between two rectangles
       const between = Math.max(left - other[2], other[0] - right, bottom - other[3], other[1] - top);
       expect(between).toBeGreaterThan(3.999);
     });

@@ -3,14 +3,14 @@ import type { Charts } from './cutCharts';
 import { type Packed, packLightmap } from './packLightmap';
 import type { PackOptions, Unwrapped, UnwrappedMesh } from './UnwrapRequest';
 
-/** Share of a lightmap that charts may need, with half of their padding, to be tried. */
+/** Greatest share of a lightmap that charts, with half of their padding, may need for packing to be tried. */
 const MOST_NEED = 1;
 
 /**
- * Lays meshes out in lightmaps, each in one.
+ * Packs meshes into lightmaps, each mesh into one.
  *
- * @param surfaces - one a mesh; equal ones are the same object
- * @param onProgress - share of the work that is done
+ * @param surfaces - one per mesh; meshes with equal surfaces share one object
+ * @param onProgress - called with the share of the work that is done
  * @throws Error when a lightmap is too small for the charts of one mesh
  */
 export function packMeshes(
@@ -22,7 +22,7 @@ export function packMeshes(
   const meshes: UnwrappedMesh[] = [];
   const texelsPerMetre: number[] = [];
   let done = 0;
-  // a group that turns out too large gives a part of its meshes to the next
+  // a group that does not fit passes some of its meshes to the next group
   for (let group = groups.shift(); group; group = groups.shift()) {
     const packed = packGroup(surfaces, group, options);
     if (packed) {
@@ -61,7 +61,7 @@ function packGroup(surfaces: readonly Charts[], group: readonly number[], option
   const own = group.map((i) => surfaces[i]);
   const packed = packLightmap(own, options);
   if (packed || (group.length > 1 && options.texelsPerMetre !== null)) return packed;
-  // one mesh that is too large for a lightmap lies in it more coarsely
+  // a single mesh that does not fit gets a lower density
   const coarser = options.texelsPerMetre === null ? null : packLightmap(own, { ...options, texelsPerMetre: null });
   if (coarser) return coarser;
   const charts = own.reduce((sum, { charts: of }) => sum + new Set(of).size, 0);

@@ -8,7 +8,7 @@ import { unwrapMeshes } from './unwrapMeshes';
 
 const xatlas = await createXAtlas();
 
-/** Without workers. */
+/** Unwraps without workers. */
 const unwrapHere = (request: UnwrapRequest, onProgress: (share: number) => void = () => {}): Promise<Unwrapped> =>
   unwrapMeshes(
     request,
@@ -30,7 +30,7 @@ const surface = (geometry: BufferGeometry): SurfaceToUnwrap => ({
   index: Uint32Array.from(geometry.index!.array),
 });
 
-/** Texels of a lightmap whose centre a mesh covers, and whether two triangles that share no edge cover the same. */
+/** Lightmap texels whose centre a mesh covers, and whether two triangles without a common edge cover the same one. */
 function cover(meshes: readonly UnwrappedMesh[], size: number): { covered: number; overlaps: number } {
   const owner = new Int32Array(size * size).fill(-1);
   let [covered, overlaps] = [0, 0];
@@ -45,7 +45,7 @@ function cover(meshes: readonly UnwrappedMesh[], size: number): { covered: numbe
       for (let y = Math.floor(Math.min(...ys)); y <= Math.max(...ys); y++)
         for (let x = Math.floor(Math.min(...xs)); x <= Math.max(...xs); x++) {
           const inside = [side(a, b, x + 0.5, y + 0.5), side(b, c, x + 0.5, y + 0.5), side(c, a, x + 0.5, y + 0.5)];
-          // strictly within: a centre on a shared edge is of both
+          // strictly inside: a centre on a common edge belongs to both
           if (!inside.every((s) => s * Math.sign(area) > 1e-3)) continue;
           const at = y * size + x;
           if (owner[at] >= 0) overlaps++;

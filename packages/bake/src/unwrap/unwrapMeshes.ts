@@ -4,7 +4,7 @@ import type { PackOptions, SurfaceToUnwrap, Unwrapped, UnwrapRequest } from './U
 /** The two steps of unwrapping. */
 export interface Unwrapper {
   cut(surface: SurfaceToUnwrap): Promise<Charts>;
-  /** @param surfaces - charts; `meshes` names one of them for each mesh */
+  /** @param surfaces - charts; `meshes` has the index of one for each mesh */
   pack(
     surfaces: readonly Charts[],
     meshes: readonly number[],
@@ -13,14 +13,14 @@ export interface Unwrapper {
   ): Promise<Unwrapped>;
 }
 
-/** Share of the unwrapping time that cutting into charts takes. */
+/** Share of the progress that cutting into charts counts for. */
 const CUTTING = 0.7;
 
 /**
- * Gives meshes a second set of UVs, in which no two surfaces overlap: charts are cut once for meshes that are equal, all
- * surfaces at once, and packed for each mesh.
+ * Computes non-overlapping lightmap UVs: charts are cut once for equal meshes, all surfaces in parallel, and packed for
+ * each mesh.
  *
- * @param onProgress - share of the work that is done
+ * @param onProgress - called with the share of the work that is done
  * @throws Error when a lightmap is too small for the charts of one mesh
  */
 export async function unwrapMeshes(

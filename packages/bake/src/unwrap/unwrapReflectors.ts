@@ -3,10 +3,10 @@ import type { StaticMesh } from '../scene/StaticMesh';
 import type { UnwrappedMesh } from './UnwrapRequest';
 import { unwrapStaticMeshes } from './unwrapStaticMeshes';
 
-/** Factor by which lightmaps are coarser that serve the bake alone. */
+/** Factor by which lightmaps that serve the bake alone have a lower density. */
 const COARSER = 4;
 
-/** Meshes that reflect light without a lightmap of their own: each copy is one. */
+/** Meshes that reflect light without a lightmap; each instance is one mesh. */
 export interface Reflectors {
   readonly meshes: readonly StaticMesh[];
   readonly unwrapped: readonly (UnwrappedMesh | null)[];
@@ -14,7 +14,7 @@ export interface Reflectors {
   readonly texelsPerMetre: readonly number[];
 }
 
-/** Each instance of an instanced mesh, as a mesh of its own. */
+/** Splits an instanced mesh into one mesh per instance. */
 const copiesOf = (mesh: StaticMesh): StaticMesh[] =>
   mesh.placements.map((placement, i) => ({
     ...mesh,
@@ -24,11 +24,11 @@ const copiesOf = (mesh: StaticMesh): StaticMesh[] =>
   }));
 
 /**
- * Lays out meshes that reflect light without a lightmap that is kept, in one lightmap more, coarsely. Where there is no
- * room for them they cast shadows alone, which is told.
+ * Packs meshes that reflect light without a lightmap into one temporary lightmap of low density. If they do not fit,
+ * they only cast shadows, with a warning.
  *
- * @param density - texels a metre of the lightmaps that are kept
- * @param first - number of the first lightmap
+ * @param density - texels per metre of the final lightmaps
+ * @param first - index of the first temporary lightmap
  */
 export async function unwrapReflectors(
   meshes: readonly StaticMesh[],

@@ -6,7 +6,7 @@ import { unwrapMeshes } from './unwrapMeshes';
 import type { SurfaceToUnwrap, Unwrapped, UnwrappedMesh, UnwrapRequest } from './UnwrapRequest';
 
 export interface UnwrappedMeshes {
-  /** Second UVs of the meshes that get a lightmap, null for others. */
+  /** Lightmap UVs of meshes that get a lightmap; null for others. */
   readonly unwrapped: (UnwrappedMesh | null)[];
   /** Surface from which the charts of each mesh were cut, shared by equal meshes; null for meshes without a lightmap. */
   readonly surfaces: (SurfaceToUnwrap | null)[];
@@ -14,7 +14,7 @@ export interface UnwrappedMeshes {
   readonly texelsPerMetre: readonly number[];
 }
 
-/** Gives meshes second UVs; those of one geometry and scale are cut into charts once. */
+/** Computes lightmap UVs of meshes; those of one geometry and scale are cut into charts once. */
 export async function unwrapStaticMeshes(
   meshes: readonly StaticMesh[],
   { size, padding, texelsPerMetre, signal, onWarning }: CheckedBakeOptions,
@@ -38,9 +38,9 @@ export async function unwrapStaticMeshes(
 }
 
 /**
- * Surfaces of meshes in metres, one for all meshes of equal geometry, scale and shading.
+ * Surfaces of meshes, in metres; meshes of equal geometry, scale and shading share one.
  *
- * @returns surfaces, and of each mesh the index of its own
+ * @returns surfaces, and the index of each mesh's surface
  */
 export function distinctSurfaces(meshes: readonly StaticMesh[]): { surfaces: SurfaceToUnwrap[]; surfaceOf: number[] } {
   const surfaces: SurfaceToUnwrap[] = [];

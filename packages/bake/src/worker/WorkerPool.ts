@@ -1,6 +1,6 @@
 import type { BakeAnswer, BakeQuestion, BakeResults } from './bakeWorker';
 
-/** Maximum number of workers; each has xatlas in its memory. */
+/** Maximum number of workers; each has its own copy of xatlas in memory. */
 const MOST_WORKERS = 8;
 
 /** Pool of workers that answer requests in parallel, so that the page stays responsive. */
@@ -35,7 +35,7 @@ export class WorkerPool {
   }
 
   /**
-   * @param weight - of what is asked for at once, the heaviest begins first
+   * @param weight - cost: of requests made together, the heaviest is started first
    * @throws Error (as a rejection) with the worker's error message
    */
   ask<Kind extends keyof BakeResults>(
@@ -44,12 +44,12 @@ export class WorkerPool {
   ): Promise<BakeResults[Kind]> {
     const answer = new Promise<BakeResults[Kind]>((resolve, reject) => {
       const start = (worker: Worker): void => {
-        // the worker is asked for other things later
+        // removes the listeners, as the worker gets further requests later
         const answered = new AbortController();
         const { signal } = answered;
         worker.addEventListener(
           'error',
-          ({ message }) => reject(new Error(`A worker of the bake failed: ${message}`)),
+          ({ message }) => reject(new Error(`A worker of the bake failed (${message}): bake again.`)),
           { signal },
         );
         worker.addEventListener(

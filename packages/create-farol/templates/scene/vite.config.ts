@@ -2,5 +2,5 @@ import { defineConfig } from 'vite';
 
 export default defineConfig({
   base: './',
-  build: { chunkSizeWarningLimit: 5000 }, // kB: physics, fetched where a scene has some, is 4,300
+  build: { chunkSizeWarningLimit: 5000 }, // kB: physics, fetched for scenes that have it, is 4,300
 });

@@ -5,24 +5,24 @@ export type Vector3Tuple = readonly [number, number, number];
 export type CurveKey = readonly [time: number, value: number];
 
 /**
- * A number over time, never changed in place: 1 to 64 keys by ascending time. It is straight between keys, and constant
- * before the first and after the last; of two keys at one time the second counts from there on.
+ * A number over time, never changed in place: 1 to 64 keys by ascending time. Linear between keys, constant before the
+ * first and after the last; at the time of two keys the second one applies.
  */
 export type Curve = readonly CurveKey[];
 
 /**
- * Key of a gradient: time (0 to 1), linear colour and opacity (0 to 1). Null where the key sets no colour, or no
- * opacity, so that the two can have keys at times of their own.
+ * Key of a gradient: time (0 to 1), linear colour and opacity (0 to 1). Null for a part that the key does not set, so
+ * that colour and opacity can have keys at different times.
  */
 export type GradientKey = readonly [time: number, colour: Vector3Tuple | null, opacity: number | null];
 
-/** A key of the colour of a gradient alone. */
+/** A key of a gradient's colour. */
 export type ColourKey = readonly [time: number, colour: Vector3Tuple];
 
 /** Colour and opacity over time, as `Curve`: 1 to 64 keys, at least one with a colour and one with an opacity. */
 export type Gradient = readonly GradientKey[];
 
-/** A field is shown only while another field of the same owner, itself shown, has one of these values. */
+/** Condition of a field's visibility: another field of the same owner, itself visible, has one of these values. */
 export interface FieldCondition {
   readonly field: string;
   readonly equals: readonly unknown[];
@@ -30,7 +30,7 @@ export interface FieldCondition {
   readonly and?: FieldCondition;
 }
 
-/** Labels and units of a field by the value of another field of the same owner, a choice. */
+/** Labels and units of a field for values of another field of the same owner, which is a choice. */
 export interface FieldVariants {
   readonly field: string;
   readonly of: Readonly<Record<string, { readonly label?: string; readonly unit?: string }>>;
@@ -42,15 +42,15 @@ interface FieldBase {
   /** Label in place of the field's name. */
   readonly label?: string;
   readonly visibleWhen?: FieldCondition;
-  /** Other labels or units, while another field has certain values. */
+  /** Other labels or units for certain values of another field. */
   readonly variants?: FieldVariants;
   /** Title of the group in which the inspector shows the field; none when absent. */
   readonly group?: string;
-  /** Whether the field is only for older files: shown only where its value is not the default. */
+  /** Whether the field only serves older files: visible only while its value is not the default. */
   readonly deprecated?: boolean;
-  /** Name of another field of the owner, of whose value this field edits a part; files hold only that other field. */
+  /** Name of the field of the same owner of whose value this view edits a part; files store only that field. */
   readonly viewOf?: string;
-  /** Name of another field of the owner, in whose row this one is edited too: it has none of its own. */
+  /** Name of another field of the owner in whose row this one is edited; it has no row of its own. */
   readonly besideField?: string;
   /** Whether the field is shown, but cannot be edited by hand. */
   readonly readOnly?: boolean;
@@ -62,18 +62,18 @@ export interface NumberField extends FieldBase {
   readonly default: number;
   /** SI unit, such as 'm' or 'm/s'; none for a pure number. */
   readonly unit?: string;
-  /** The unit by the value of another field of the owner; `unit` names all of them then, as in 'cd or lx'. */
+  /** Units by the value of another field of the owner; `unit` then lists all of them, as in 'cd or lx'. */
   readonly unitBy?: { readonly field: string; readonly units: Readonly<Record<string, string>> };
   /** Smallest value allowed. */
   readonly min?: number;
   /** Largest value allowed. */
   readonly max?: number;
-  /** Step of one notch when a number is scrubbed. */
+  /** Step when a number is dragged. */
   readonly step?: number;
   readonly integer?: boolean;
-  /** Amount shown for 1 of the stored number, in an editor with a unit of its own. */
+  /** Factor from the stored to the displayed number, in editors with a unit of their own. */
   readonly scale?: number;
-  /** Kind of number that editors have a control for: a light's intensity in its unit, a colour temperature. */
+  /** Special input of editors: a light's intensity with its unit, or a colour temperature. */
   readonly input?: 'intensity' | 'temperature';
 }
 
@@ -97,7 +97,7 @@ export interface BooleanField extends FieldBase {
 export interface StringField extends FieldBase {
   readonly kind: 'string';
   readonly default: string;
-  /** Name of a property of the owner that lists the texts to choose from, '' for none; any text when absent. */
+  /** Name of an owner's property that lists the allowed texts, besides '' for none; any text when absent. */
   readonly choices?: string;
   /** Kind of text: 'key' is the code of a key (KeyboardEvent.code), entered by pressing it; any text when absent. */
   readonly input?: 'key';
@@ -108,7 +108,7 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
   readonly options: readonly Option[];
-  /** Labels of options that are not shown by their name. */
+  /** Labels of options that are not displayed by their name. */
   readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
@@ -170,14 +170,14 @@ export type AssetType =
   | 'surface'
   | 'bake';
 
-/** The name of an asset of the scene's AssetLibrary, or null. */
+/** A field with the name of an asset of the scene's AssetLibrary, or null. */
 export interface AssetField extends FieldBase {
   readonly kind: 'asset';
   readonly default: string | null;
   readonly assetType: AssetType;
 }
 
-/** The id of a GameObject of the same scene, or null. */
+/** A field with the id of a GameObject of the same scene, or null. */
 export interface ObjectField extends FieldBase {
   readonly kind: 'object';
   readonly default: string | null;
@@ -244,7 +244,7 @@ export type ValueOf<F extends Field> = F extends { kind: 'number' | 'angle' }
                 ? Widened<Default>
                 : string | null;
 
-/** The type of the values of a custom field, by its default. */
+/** Type of a custom field's values, from its default. */
 type Widened<Default> = Default extends number
   ? number
   : Default extends boolean

@@ -10,20 +10,20 @@ import { type FieldEdit, SetFields } from './SetFields';
 import { valueText } from './valueText';
 import { t } from '../language/translate';
 
-/** A new value, or each owner's value made from its own, such as another x and the same y and z. */
+/** A new value, or a function of each owner's own value, for instance to change x and keep y and z. */
 export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((before: Value, owner: FieldTarget) => Value);
 
-/** Edits one field of one or of several owners by hand: many previews, one step of history. */
+/** Edits one field of one or several owners interactively: many previews, one step of history. */
 export class FieldGesture<Item = string> {
   private gesture: Gesture<Item> | null = null;
   private previousValues: readonly FieldValue[] = [];
-  /** Step of history that the last commit made; null when it made none. */
+  /** Step of history made by the last commit; null when the commit changed nothing. */
   private step: Command<Item> | null = null;
 
   /**
    * @param owners - at least one
-   * @param name - name of the field; a function gives it where owners are of several types
-   * @param whose - what labels of the history call them; by their `ownerName` when absent
+   * @param name - name of the field, or a function of the owner when owners are of several types
+   * @param whose - name of the owners in labels of the history; `ownerName` when absent
    */
   constructor(
     private readonly commands: CommandStack<Item>,
@@ -47,7 +47,7 @@ export class FieldGesture<Item = string> {
     this.gesture.preview(this.setTo(update));
   }
 
-  /** Keeps the last preview, or the value given, as one step. @throws Error when that value is not allowed */
+  /** Commits the last preview, or the given value, as one step. @throws Error when the value is not allowed */
   commit<Value extends FieldValue>(update?: FieldUpdate<Value>): void {
     if (update !== undefined) this.preview(update);
     const { last } = this.commands;
@@ -66,7 +66,7 @@ export class FieldGesture<Item = string> {
     else if (this.commands.amend(this.step, this.setTo(update))) this.step = this.commands.last;
   }
 
-  /** Goes back to the values from before the first preview. */
+  /** Restores the values from before the first preview. */
   discard(): void {
     this.gesture?.discard();
     this.gesture = null;

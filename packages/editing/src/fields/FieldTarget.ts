@@ -10,7 +10,7 @@ export interface FieldDescription {
   readonly label?: string;
   /** SI unit of a number or of each coordinate, such as 'm'. */
   readonly unit?: string;
-  /** The unit by the value of another field of the same owner; `unit` names all of them then. */
+  /** Units by the value of another field of the same owner; `unit` then lists all of them. */
   readonly unitBy?: { readonly field: string; readonly units: Readonly<Record<string, string>> };
   /** Smallest value allowed of a number, an angle (radians) or each coordinate. */
   readonly min?: number;
@@ -18,24 +18,24 @@ export interface FieldDescription {
   readonly max?: number;
   /** Amount by which an arrow key changes the value. */
   readonly step?: number;
-  /** Amount shown for 1 of the stored number, for a field in a unit of the user's choice; 1 when absent. */
+  /** Factor from the stored to the displayed number, for a field in a unit of the user's choice; 1 when absent. */
   readonly scale?: number;
   /** Whether only whole numbers are allowed. */
   readonly integer?: boolean;
 }
 
-/** Something whose fields are edited: a component, the settings of a scene, an object of three's. */
+/** An owner of editable fields: a component, the settings of a scene, a three object. */
 export interface FieldTarget {
   /** Name of the owner in labels of the history, such as 'Light'. */
   readonly ownerName: string;
   readonly fields: Readonly<Record<string, { readonly label?: string; readonly viewOf?: string }>>;
-  /** The value that was last set, untouched by simulation. */
+  /** The authored value of a field, untouched by simulation. */
   getAuthored(name: string): FieldValue;
   /** @throws Error when the value is refused; nothing has changed then */
   set(name: string, value: FieldValue): void;
   /**
-   * For targets whose `set` refuses nothing, so that an undo can put back whatever was there: called with each value
-   * that a user enters.
+   * Checks a value that a user enters, for targets whose `set` accepts anything, so that undo can restore any earlier
+   * value.
    * @throws Error when the value is not allowed
    */
   check?(name: string, value: FieldValue): void;

@@ -4,7 +4,7 @@ import { stepOf } from './stepOf';
 
 /** Unit, limits and step in which a field's numbers are shown and typed, with the conversion in both directions. */
 export interface NumberDisplay {
-  /** Unit as shown, such as '°'; undefined for a pure number. */
+  /** Displayed unit, such as '°'; undefined for a pure number. */
   readonly unit?: string;
   readonly min?: number;
   readonly max?: number;
@@ -21,7 +21,7 @@ const ROUNDING = 1e-10;
 
 const same = (value: number): number => value;
 
-/** The display of a number, of the coordinates of a vector, and of angles, which are shown in degrees. */
+/** Display of a number or of a vector's coordinates; angles are displayed in degrees. */
 export function numberDisplay(field: FieldDescription): NumberDisplay {
   const { min, max, unit, scale = 1 } = field;
   if (scale !== 1) return scaled(field, scale);
@@ -35,7 +35,7 @@ export function numberDisplay(field: FieldDescription): NumberDisplay {
     max: max === undefined ? undefined : toDegrees(max),
     step: field.step === undefined ? 1 : toDegrees(field.step),
     toShown: toDegrees,
-    // a shown limit is rounded: converted back, it must give the exact limit, and not a value beyond it
+    // the displayed limit is rounded: entering it must give the exact limit, not a value beyond it
     fromShown(shown) {
       const radians = toRadians(shown);
       return limits.find((limit) => Math.abs(limit - radians) < ROUNDING) ?? radians;
@@ -46,7 +46,7 @@ export function numberDisplay(field: FieldDescription): NumberDisplay {
 /** Significant digits kept when a number is converted to another unit. */
 const DIGITS = 7;
 
-/** The display of a number in another unit; its step is a power of ten times as large. */
+/** Display of a number in another unit; its step is scaled by a power of ten. */
 function scaled(field: FieldDescription, scale: number): NumberDisplay {
   const { min, max, unit } = field;
   return {

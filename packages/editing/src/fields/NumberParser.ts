@@ -23,8 +23,8 @@ const functions: Readonly<Record<string, (value: number) => number>> = {
 const inverses = new Set(['asin', 'acos', 'atan']);
 
 /**
- * Reads an expression of numbers, units, π, brackets, + - * / ^ and functions of one number: 'sqrt(2)', '1/3 m',
- * '2 m + 30cm'. Two numbers with units side by side are a sum: '5ft 3in'.
+ * Parses an expression of numbers, units, π, brackets, + - * / ^ and functions of one number: 'sqrt(2)', '1/3 m', '2 m
+ * + 30cm'. Adjacent numbers with units are added: '5ft 3in'.
  */
 export class NumberParser {
   private readonly tokens: readonly Token[];
@@ -32,7 +32,7 @@ export class NumberParser {
   private depth = 0;
 
   /**
-   * @param units - units of the field; a number without a unit is in the first one
+   * @param units - units of the field; the first one applies to numbers without a unit
    * @param fieldUnit - the field's unit as text
    * @throws NumberSyntaxError
    */
@@ -87,7 +87,7 @@ export class NumberParser {
     return { value: first.value + sign * second.value * (second.unit.factor / unit.factor), unit };
   }
 
-  /** A number without a unit, beside one with a unit, is in the field's unit. */
+  /** Gives a number without a unit the field's unit, when the other operand has a unit. */
   private withUnit(quantity: Quantity, other: Quantity): Quantity {
     if (!isPure(quantity.unit) || isPure(other.unit)) return quantity;
     const unit = this.units.find((each) => isAlike(each, other.unit));
@@ -111,7 +111,7 @@ export class NumberParser {
   private divide(a: Quantity, b: Quantity): Quantity {
     if (b.value === 0) throw new NumberSyntaxError(t('A number cannot be divided by 0.'));
     const unit = multiplyUnits(a.unit, b.unit, -1);
-    // 1/3 m: the unit is that of the whole
+    // 1/3 m: the unit applies to the whole fraction
     const ofWhole =
       isPure(a.unit) && !isPure(b.unit) && !b.isBareUnit && !this.units.some((each) => isAlike(each, unit));
     if (!ofWhole) return { value: a.value / b.value, unit };
@@ -135,7 +135,7 @@ export class NumberParser {
     return { value: (base.value * base.unit.factor) ** (exponent.value * exponent.unit.factor), unit: noUnit };
   }
 
-  /** The units behind a number, and constants and brackets behind it, which multiply: 2pi, 3(1+1). */
+  /** Parses units after a number, and constants or brackets, which multiply: 2pi, 3(1+1). */
   private unitAfter(operand: Quantity): Quantity {
     let result = operand;
     for (;;) {

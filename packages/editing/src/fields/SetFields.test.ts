@@ -32,7 +32,9 @@ test('is undone from its last field to its first, since one may decide which oth
   expect(owner.getAuthored('kind')).toBe('ball');
 });
 
-/** A surface's text holds all values, of which the field `height` views one: 0 where the text has none that it allows. */
+/**
+ * A surface with a text that holds all values, of which the field `height` views one: 0 for a missing or invalid value.
+ */
 class Surface {
   readonly ownerName = 'Surface';
   readonly fields = { values: {}, height: { viewOf: 'values' } };

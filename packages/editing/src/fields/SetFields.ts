@@ -18,8 +18,8 @@ const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>):
 });
 
 /**
- * Edit that undoes another one. Where the edited field views a part of another field, it restores that whole field,
- * also to a value that the field does not allow.
+ * Edit that undoes another one. For a view (a field that edits a part of another), it restores the whole stored field,
+ * even to a value that `set` would not allow.
  */
 const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> =>
   authored({ owner, name: currentOf(owner).fields[name]?.viewOf ?? name, value: null });
@@ -37,7 +37,7 @@ function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void
   }
 }
 
-/** Command that sets authored values of fields, of one or many owners; simulated values are not touched. */
+/** Command that sets authored values of fields of one or several owners; simulated values are not changed. */
 export class SetFields<Owner extends FieldTarget = FieldTarget> implements Command<never> {
   /** Values before the first `do`; null until then. */
   private previousEdits: readonly FieldEdit<Owner>[] | null = null;
@@ -64,7 +64,7 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
   }
 
   undo(): void {
-    // in reverse order: a field may decide which other fields exist
+    // in reverse order, since one field's value may decide which other fields exist
     setAll(this.undoes.toReversed(), this.edits.toReversed());
   }
 

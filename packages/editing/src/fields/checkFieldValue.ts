@@ -6,7 +6,7 @@ export const MOST_KEYS = 64;
 
 const isFiniteNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
-/** Writes a value for a message, short and never throwing: NaN stays NaN, text is quoted. */
+/** Formats a value for a message, in short; never throws. NaN stays NaN, text is quoted. */
 export function describeValue(value: unknown, depth = 0): string {
   if (value === undefined) return 'nothing';
   if (typeof value === 'number') return String(value);
@@ -20,7 +20,7 @@ export function describeValue(value: unknown, depth = 0): string {
   return typeof value === 'function' ? 'a function' : shortText(String(value));
 }
 
-/** Text of a user's in quotes, for messages. */
+/** A user's text in quotes, for messages. */
 const quoted = (text: string): string => `"${shortText(text).replaceAll('"', '\\"')}"`;
 
 function describeRange(field: { min?: number; max?: number; unit?: string }): string {
@@ -97,7 +97,7 @@ const isGradient = (value: unknown): value is Gradient =>
   value.some(([, colour]) => colour !== null) &&
   value.some(([, , opacity]) => opacity !== null);
 
-/** Whether a value is one that fields can have, and files can hold. */
+/** Whether a value is of a type that fields and files can hold. */
 export const isFieldValue = (value: unknown): value is FieldValue =>
   value === null ||
   typeof value === 'string' ||

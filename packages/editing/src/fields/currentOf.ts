@@ -1,13 +1,13 @@
-/** Newest replacement of each owner that was replaced, in a record that all of a line share. */
+/** Newest replacement of each replaced owner, in a record shared by all predecessors. */
 const lines = new WeakMap<object, { newest: object }>();
 
 /**
- * The object that stands in an owner's place: itself, or the newest that replaced it, such as a component whose script was
- * edited. A component's id is no such reference: once free, it goes to the next component of that type.
+ * Current object in place of an owner: the owner itself, or the newest replacement, for instance after an edit of a
+ * component's script. (A component's id would not do, as a later component of the type may reuse it.)
  */
 export const currentOf = <Owner extends object>(owner: Owner): Owner => (lines.get(owner)?.newest ?? owner) as Owner;
 
-/** Records that an owner replaces another: `currentOf` then returns it, for all that the other one replaced too. */
+/** Records that an owner replaces another one; `currentOf` then returns it for all earlier owners too. */
 export function replaceOwner(before: object, owner: object): void {
   const line = lines.get(before) ?? { newest: before };
   line.newest = owner;

@@ -1,7 +1,7 @@
 import type { NumberRange } from './readNumber';
 import { roundToStep } from './roundToStep';
 
-/** Range of a number as shown in the editor, with its step. */
+/** Range and step of a number as displayed. */
 export type SteppedRange = NumberRange & { readonly step: number };
 
 /** Greatest number of steps in a range that gets a slider; with more, a slider would be too coarse. */
@@ -12,7 +12,7 @@ export const suitsSlider = ({ min, max, step }: SteppedRange): boolean =>
   min !== undefined && max !== undefined && (max - min) / step <= STEPS;
 
 /**
- * Number at a position of a slider. Both limits are reached, even if no whole number of steps leads there.
+ * Number at a position of a slider. Both limits can be reached, even if the range is not a multiple of the step.
  * @param part - position from `min` (0) to `max` (1); clamped
  * @param isFine - rounds to a tenth of the step
  */

@@ -3,10 +3,10 @@ import type { FieldDescription } from './FieldTarget';
 const made = new WeakMap<FieldDescription, Map<string, FieldDescription>>();
 
 /**
- * A field with the unit that its numbers have for these owners, by its `unitBy`; the field itself where it has none, or
- * where the owners differ. The same object for the same unit.
+ * A copy of a field with the unit that `unitBy` gives for these owners, cached per unit; the field itself without
+ * `unitBy`, or when the owners differ.
  *
- * @param valuesOf - the values, one of each owner, of another field of theirs
+ * @param valuesOf - returns the values of another field, one per owner
  */
 export function fieldInUnit<F extends FieldDescription>(field: F, valuesOf: (name: string) => readonly unknown[]): F {
   const { unitBy } = field;

@@ -67,7 +67,7 @@ describe('numbers as they are shown', () => {
     expect(fromShown(max!)).toBe(limits.max);
     expect(fromShown(min!)).toBe(limits.min);
     expect(fromShown(61)).toBeCloseTo(1.0646508, 6);
-    expect(fromShown(90)).toBeGreaterThan(limits.max); // whoever asks refuses or clamps it
+    expect(fromShown(90)).toBeGreaterThan(limits.max); // the caller refuses or clamps the value
     for (const degrees of [0, 1, -17.5, 45, 0.123456789]) expect(toShown(fromShown(degrees))).toBe(degrees);
   });
 

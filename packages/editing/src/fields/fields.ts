@@ -20,11 +20,11 @@ import type {
   Vector3Tuple,
 } from './Field';
 
-/** Options of a field beside its default; `help` should be among them. */
+/** Options of a field besides its default; `help` should be among them. */
 type Options<F> = Omit<F, 'kind' | 'default' | 'options' | 'assetType' | 'help'> & { readonly help?: string };
 type WithoutUnit<F> = Omit<F, 'unit'>;
 
-/** A number; `options` gives unit, min, max, step and integer. */
+/** Declares a field for a number; `options` gives unit, min, max, step and integer. */
 export const number = (value: number, options: Options<NumberField> = {}): NumberField => ({
   kind: 'number',
   default: value,
@@ -89,9 +89,7 @@ export const colour = (value: Vector3Tuple, options: Options<ColourField> = {}):
   ...options,
 });
 
-/**
- * A number over a time from 0 to 1, as over a particle's life; `options` gives unit, min, max and step of its values.
- */
+/** Declares a field for a number over a time from 0 to 1; `options` gives unit, min, max and step. */
 export const curve = (value: Curve, options: Options<CurveField> = {}): CurveField => ({
   kind: 'curve',
   default: value,
@@ -99,7 +97,7 @@ export const curve = (value: Curve, options: Options<CurveField> = {}): CurveFie
   ...options,
 });
 
-/** A colour and an opacity over a time from 0 to 1. */
+/** Declares a field for a colour and an opacity over a time from 0 to 1. */
 export const gradient = (value: Gradient, options: Options<GradientField> = {}): GradientField => ({
   kind: 'gradient',
   default: value,
@@ -107,7 +105,7 @@ export const gradient = (value: Gradient, options: Options<GradientField> = {}):
   ...options,
 });
 
-/** The name of an asset, or null for none. */
+/** Declares a field for the name of an asset, or null for none. */
 export const asset = (assetType: AssetType, value: string | null, options: Options<AssetField> = {}): AssetField => ({
   kind: 'asset',
   default: value,
@@ -116,7 +114,7 @@ export const asset = (assetType: AssetType, value: string | null, options: Optio
   ...options,
 });
 
-/** The id of a GameObject of the scene, or null for none. */
+/** Declares a field for the id of a GameObject of the scene, or null for none. */
 export const object = (value: string | null, options: Options<ObjectField> = {}): ObjectField => ({
   kind: 'object',
   default: value,
@@ -124,7 +122,7 @@ export const object = (value: string | null, options: Options<ObjectField> = {})
   ...options,
 });
 
-/** A value of a type of your own. */
+/** Declares a field of a custom type. */
 export const custom = <const Value extends FieldValue>(
   type: FieldType,
   value: Value,

@@ -1,19 +1,19 @@
 /**
- * Greatest number of decimals shown: `long` in a single field, `short` in the three fields of a vector; large numbers
- * show fewer.
+ * Greatest number of displayed decimals: `long` in a single field, `short` in the three fields of a vector; large
+ * numbers have fewer.
  */
 export const shownDecimals = { long: 5, short: 3 } as const;
 
 /** Numbers below this are shown as 0: they are rounding errors. */
 const SMALLEST = 1e-8;
 
-/** Decimals of a number whose step is known: one more than the step has, at least two, and three digits of small ones. */
+/** Decimals by step: one more than the step has, at least two, and three significant digits of small numbers. */
 const decimalsBy = (step: number, size: number): number =>
   Math.max(2, Math.ceil(-Math.log10(step)) + 1, size === 0 ? 0 : 2 - Math.floor(Math.log10(size)));
 
 /**
- * A number as text, without zeros at the end. One that would be shown as 0 and is not 0 keeps two digits.
- * @param step - least change that matters, above 0: a `long` number shows no decimals beyond it; all when absent
+ * Formats a number without trailing zeros. A number that would be rounded to 0 keeps two digits.
+ * @param step - smallest relevant change, above 0, which limits the decimals of a `long` number; unlimited when absent
  */
 export function formatNumber(value: number, length: keyof typeof shownDecimals, step?: number): string {
   const size = Math.abs(value);

@@ -1,4 +1,4 @@
-/** Declarations of fields: kinds, values, how a value is checked, and what an inspector reads. */
+/** Declarations of fields: kinds, values, validation, and descriptions for inspectors. */
 export * from './Field';
 export * from './fields';
 export { allowedBy, checkFieldValue, describeValue, isFieldValue, MOST_KEYS } from './checkFieldValue';

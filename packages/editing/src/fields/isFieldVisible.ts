@@ -1,7 +1,7 @@
 import type { FieldTable } from './Field';
 
 /**
- * Whether a field matters at present: its `visibleWhen` holds, and so do those of the fields it names.
+ * Whether a field is visible at present: its `visibleWhen` holds, and the fields named there are visible.
  * @param get - reads the value of a field by its name
  */
 export function isFieldVisible(fields: FieldTable, name: string, get: (field: string) => unknown): boolean {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Curve, Gradient } from './Field';
 import { colourKeys, curveAt, fullKeys, gradientAt, joinKeys, opacityKeys } from './keys';
 
-/** Colours of three channels that change each by another amount, and opacities at times of their own. */
+/** Colours whose three channels change by different amounts, and opacities at other times. */
 const gradient: Gradient = [
   [0.2, [0, 2, 1], 0.5],
   [0.4, null, 1],

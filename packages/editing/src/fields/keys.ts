@@ -1,13 +1,13 @@
 import type { ColourKey, Curve, Gradient, GradientKey, Vector3Tuple } from './Field';
 
-/** The first key after a time; the number of keys when none is. */
+/** Index of the first key after a time; the number of keys when there is none. */
 function keyAfter(keys: readonly (readonly [number, ...unknown[]])[], time: number): number {
   let i = 0;
   while (i < keys.length && keys[i][0] <= time) i++;
   return i;
 }
 
-/** Share of the way from one key's time to the next that a time has reached, 0 to 1. */
+/** Interpolation factor (0 to 1) of a time between two keys' times. */
 const shareOf = (from: number, to: number, time: number): number => (time - from) / (to - from);
 
 /** The value of a curve at a time. */

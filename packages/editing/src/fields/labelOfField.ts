@@ -7,7 +7,7 @@ export function englishLabelOfField(name: string, field: { readonly label?: stri
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** The label of a field, in the language that is shown. */
+/** The label of a field, in the current language. */
 export function labelOfField(name: string, field: { readonly label?: string }): string {
   return t(englishLabelOfField(name, field));
 }

@@ -1,4 +1,4 @@
-/** The words of a filter, in small letters. */
+/** Splits a filter into words, in lower case. */
 export const wordsOfFilter = (text: string): readonly string[] => text.toLowerCase().split(/\s+/).filter(Boolean);
 
 /** Whether each word is in one of the texts: label and name of a field, title of its section. */

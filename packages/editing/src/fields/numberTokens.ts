@@ -1,10 +1,10 @@
 import { t } from '../language/translate';
 
-/** Error that tells why a text is no number. */
+/** Error for a text that is no number, with the reason. */
 export class NumberSyntaxError extends Error {
   override readonly name = 'NumberSyntaxError';
 
-  /** @param isIncomplete - whether typing on may make the text valid */
+  /** @param isIncomplete - whether further typing may make the text valid */
   constructor(
     message: string,
     readonly isIncomplete = false,

@@ -7,11 +7,11 @@ import { isAlike, isPure, type Unit, unitsOfField } from './units';
 export interface NumberProblem {
   /** The problem as one short sentence. */
   readonly problem: string;
-  /** Whether typing on may make the text a number, as with '1/'. */
+  /** Whether further typing may make the text a number, as with '1/'. */
   readonly isIncomplete: boolean;
 }
 
-/** Result of a typed text: a number, or a change of the present one. */
+/** Meaning of a typed text: a number, or a change of the present one. */
 export interface NumberEdit {
   readonly problem: null;
   /** Whether the result depends on the present value, as with '+=0.5'. */
@@ -34,10 +34,10 @@ const SIGNS: Readonly<Record<string, string>> = { '−': '-', '–': '-', '×': 
 
 const finite = (value: number): number => Math.min(Math.max(value, -Number.MAX_VALUE), Number.MAX_VALUE);
 
-/** Rounds away the digits that arithmetic adds: 0.1 + 0.2 is 0.3. */
+/** Rounds to 15 digits, to remove rounding errors of arithmetic: 0.1 + 0.2 is 0.3. */
 const tidied = (value: number): number => Number(value.toPrecision(15));
 
-/** A quantity as a number in the field's unit. @throws NumberSyntaxError where its unit is of another kind */
+/** Converts a quantity to the field's unit. @throws NumberSyntaxError for an incompatible unit */
 function inUnitOf({ value, unit }: Quantity, units: readonly Unit[], fieldUnit: string | undefined): number {
   const own = units.find((each) => isAlike(each, unit));
   if (own) return value * (unit.factor / own.factor);
@@ -48,9 +48,9 @@ function inUnitOf({ value, unit }: Quantity, units: readonly Unit[], fieldUnit: 
 }
 
 /**
- * Reads what was typed into the field of a number: a number with a decimal point or comma, an expression, units, or a
- * change by `+=`, `-=`, `*=` and `/=`. See {@link NumberParser} for what an expression is. Never throws.
- * @param unit - the field's, such as 'm/s' or '°'; a number without a unit is in it
+ * Parses the text typed into a number field: a number with a decimal point or comma, an expression, units, or a change
+ * by `+=`, `-=`, `*=` and `/=`. See {@link NumberParser} for expressions. Never throws.
+ * @param unit - unit of the field, such as 'm/s' or '°', which applies to numbers without a unit
  */
 export function readNumber(text: string, unit?: string): NumberEdit | NumberProblem {
   try {
@@ -96,13 +96,13 @@ function checked(value: number, text: string): number {
       Number.isNaN(value) ? t('There is no such number.') : t('This is larger than a number can be.'),
     );
   }
-  // a number as it was typed keeps all its digits
+  // a number, as opposed to an expression, keeps all typed digits
   return /^[-+]?[\d.,]+(e[-+]?\d+)?$/i.test(text) ? value : tidied(value);
 }
 
 /**
- * Reads what was typed into a field with a range. A number beyond the range is a problem; a change by `+=` and the like
- * goes as far as the range does, for each object.
+ * Parses the text typed into a field with a range. A number outside the range is a problem; a relative change (`+=`
+ * etc.) is clamped to the range, for each object.
  */
 export function readNumberInRange(text: string, range: NumberRange): NumberEdit | NumberProblem {
   const { unit, min = -Infinity, max = Infinity } = range;

@@ -2,7 +2,7 @@
 const BEYOND = 9;
 
 /**
- * A number without the digits that adding steps leaves behind: 0.7 + 0.1 is 0.8. Digits that somebody typed stay.
+ * Removes rounding errors of adding steps: 0.7 + 0.1 is 0.8. Typed digits are kept.
  * @param step - above 0
  */
 export function roundToStep(value: number, step: number): number {

@@ -4,7 +4,7 @@ import type { FieldValue, Vector3Tuple } from './Field';
 export const isTriple = (value: FieldValue | undefined): value is Vector3Tuple =>
   Array.isArray(value) && value.length === 3 && typeof value[0] === 'number' && typeof value[1] === 'number';
 
-/** Whether two field values are the same value. */
+/** Whether two field values are equal. */
 export function sameValue(a: FieldValue, b: FieldValue): boolean {
   if (a === b || !Array.isArray(a) || !Array.isArray(b)) return a === b;
   if (a.length !== b.length) return false;

@@ -7,7 +7,7 @@ const decode = (encoded: number): number => (encoded <= 0.04045 ? encoded / 12.9
 
 const HEX = /^#?([0-9a-f]{6}|[0-9a-f]{3})$/i;
 
-/** Linear colour split into a colour that a screen can show, and a factor of brightness. */
+/** Linear colour split into a colour that a screen can display, and a brightness factor. */
 export interface ScreenColour {
   /** sRGB colour as '#rrggbb', to be multiplied by `intensity`. */
   readonly hex: string;
@@ -15,7 +15,7 @@ export interface ScreenColour {
   readonly intensity: number;
 }
 
-/** A linear colour as a screen colour and the factor by which it is brighter than that. */
+/** Splits a linear colour into a screen colour and a brightness factor. */
 export function splitColour([r, g, b]: Vector3Tuple): ScreenColour {
   const intensity = Math.max(1, r, g, b);
   const byte = (channel: number): string =>
@@ -25,7 +25,7 @@ export function splitColour([r, g, b]: Vector3Tuple): ScreenColour {
   return { hex: `#${byte(r)}${byte(g)}${byte(b)}`, intensity };
 }
 
-/** A linear colour of a screen colour '#rrggbb' or '#rgb', times a factor; null when the text is no such colour. */
+/** Linear colour of a screen colour '#rrggbb' or '#rgb', times a factor; null for an invalid text. */
 export function joinColour(hex: string, intensity: number): Vector3Tuple | null {
   const digits = HEX.exec(hex.trim())?.[1];
   if (!digits) return null;
@@ -35,8 +35,8 @@ export function joinColour(hex: string, intensity: number): Vector3Tuple | null 
 }
 
 /**
- * An update of what the screen shows of a colour, for `FieldGesture`: each owner keeps the intensity that it had when the
- * gesture began. Null when the text is no colour.
+ * Update for `FieldGesture` that sets the screen colour; each owner keeps its intensity from the start of the gesture.
+ * Null for an invalid text.
  */
 export function withScreenColour(hex: string): ((before: Vector3Tuple) => Vector3Tuple) | null {
   if (!joinColour(hex, 1)) return null;
@@ -44,10 +44,10 @@ export function withScreenColour(hex: string): ((before: Vector3Tuple) => Vector
 }
 
 /**
- * An update of the intensity of a colour, for `FieldGesture`: each owner keeps its hue exactly. Above 1 the brightest
- * channel becomes the intensity; 1 takes away what a screen cannot show, and leaves colours that a screen shows.
+ * Update for `FieldGesture` that sets a colour's intensity and keeps its hue. The brightest channel is scaled to the
+ * intensity; at 1, colours that a screen can display are not changed.
  * @param intensity - 1 or more
- * @throws RangeError for another one
+ * @throws RangeError for a smaller or infinite one
  */
 export function withIntensity(intensity: number): (before: Vector3Tuple) => Vector3Tuple {
   if (!(intensity >= 1 && intensity < Infinity))
@@ -60,7 +60,7 @@ export function withIntensity(intensity: number): (before: Vector3Tuple) => Vect
   };
 }
 
-/** Colour and intensity that several colours share; null where they differ. @param colours - at least one */
+/** Colour and intensity shared by several colours; null for the part that differs. @param colours - at least one */
 export function sharedColour(colours: readonly Vector3Tuple[]): { hex: string | null; intensity: number | null } {
   const [first, ...others] = colours.map(splitColour);
   return {

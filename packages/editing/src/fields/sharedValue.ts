@@ -25,9 +25,9 @@ export function sharedValue(values: readonly FieldValue[]): SharedValue {
 }
 
 /**
- * An update of one coordinate of a triple, for `FieldGesture`: each owner keeps its other two.
+ * Update for `FieldGesture` that sets one coordinate of a triple; each owner keeps the others.
  * @param axis - 0 to 2
- * @param value - the new one, or what makes it of the owner's own
+ * @param value - new coordinate, or a function of the owner's present one
  */
 export const withCoordinate =
   (axis: number, value: number | ((before: number) => number)) =>

@@ -1,4 +1,4 @@
-/** The step of an arrow key: the declared one, 1 for whole numbers, else a hundredth of the range, or a tenth. */
+/** Step of an arrow key: the declared step, 1 for integers, a hundredth of the range, or 0.1 without a range. */
 export function stepOf(field: { step?: number; min?: number; max?: number; integer?: boolean }): number {
   if (field.step !== undefined) return field.step;
   if (field.integer) return 1;

@@ -12,7 +12,7 @@ const of = (base: string, table: Readonly<Record<string, number>>): [string, Uni
 
 const DEGREE = Math.PI / 180;
 
-/** Units that can be typed. Those of a field itself need not be among them. */
+/** Units that can be typed. A field's own unit need not be among them. */
 const known = new Map<string, Unit>([
   ...of('m', { m: 1, km: 1e3, cm: 1e-2, mm: 1e-3, µm: 1e-6, um: 1e-6, nm: 1e-9 }),
   ...of('m', { in: 0.0254, '"': 0.0254, ft: 0.3048, "'": 0.3048, yd: 0.9144, mi: 1609.344 }),
@@ -28,7 +28,7 @@ const known = new Map<string, Unit>([
   ['%', { factor: 0.01, powers: {} }],
 ]);
 
-/** A unit that can be typed into a field, capitals or not; null for another word. @param unit - of the field */
+/** A unit that can be typed into a field, in any letter case; null for another word. @param unit - unit of the field */
 export function unitOf(word: string, unit?: string): Unit | null {
   const own =
     known.get(word) ?? (unit?.split(/ or |[/²³]/).includes(word) ? { factor: 1, powers: { [word]: 1 } } : null);
@@ -53,7 +53,7 @@ export function isAlike(a: Unit, b: Unit): boolean {
   return names.length === Object.keys(b.powers).length && names.every((name) => a.powers[name] === b.powers[name]);
 }
 
-/** The units that a field's numbers are in: 'm/s', '1/m²', and both of 'cd or lx'; a pure number where there is none. */
+/** Units of a field's numbers: 'm/s', '1/m²', both of 'cd or lx'; the pure number for a field without a unit. */
 export function unitsOfField(unit: string | undefined): readonly Unit[] {
   if (!unit) return [noUnit];
   return unit.split(' or ').map((alternative) =>

@@ -6,7 +6,7 @@ import { formatNumber } from './formatNumber';
 import { numberDisplay } from './NumberDisplay';
 import { splitColour } from './screenColour';
 
-/** A value of a field in words, with its unit: '5 m', '45°', '#ff8800 × 2'; null where words say nothing, as of an id. */
+/** Text of a field's value with unit: '5 m', '45°', '#ff8800 × 2'; null if there is no readable text, as for ids. */
 export function valueText(field: FieldDescription, value: FieldValue): string | null {
   if (field.kind === 'colour') {
     const { hex, intensity } = splitColour(value as Vector3Tuple);
@@ -14,7 +14,7 @@ export function valueText(field: FieldDescription, value: FieldValue): string | 
   }
   if (typeof value === 'number' || isTriple(value)) {
     const { unit, toShown } = numberDisplay(field);
-    // 'cd or lx' says nothing of one value
+    // 'cd or lx' is not the unit of a single value
     const suffix = unit === '°' ? unit : unit && !unit.includes(' or ') ? ` ${t(unit)}` : '';
     if (typeof value === 'number') return `${formatNumber(toShown(value), 'long')}${suffix}`;
     return `${value.map((each) => Number(toShown(each).toFixed(3)) + 0).join(', ')}${suffix}`;

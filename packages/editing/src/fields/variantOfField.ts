@@ -4,8 +4,7 @@ import type { Field } from './Field';
 const made = new WeakMap<Field, Map<unknown, Field>>();
 
 /**
- * A field as it is shown at present: with the label and the unit that it has while another field has its value; the
- * same object for the same value.
+ * A field with the label and unit for the present value of the field that selects them, cached per value.
  * @param get - reads the value of a field by its name
  */
 export function variantOfField(field: Field, get: (field: string) => unknown): Field {

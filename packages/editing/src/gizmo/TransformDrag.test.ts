@@ -2,7 +2,7 @@ import { Group, Matrix4, Object3D, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { type DragOptions, placePivot, type Pose, TransformDrag, type TransformMode } from './TransformDrag';
 
-/** An object 2 m along x of nothing, and one in a group that is moved, turned and twice as large. */
+/** An object at x = 2 m without a parent, and one in a group that is moved, rotated and scaled by 2. */
 function scene(): [Object3D, Object3D] {
   const [free, child] = [new Object3D(), new Object3D()];
   const parent = new Group();
@@ -10,12 +10,12 @@ function scene(): [Object3D, Object3D] {
   parent.rotation.y = Math.PI / 2;
   parent.scale.setScalar(2);
   parent.add(child);
-  child.position.set(0, 0, 1); // in the world at 12, 0, 0
+  child.position.set(0, 0, 1); // at 12, 0, 0 in world space
   free.position.set(2, 0, 0);
   return [free, child];
 }
 
-/** Drags objects about a pivot at the place of the first. */
+/** Drags objects about a pivot at the position of the first one. */
 function drag(
   objects: readonly Object3D[],
   mode: TransformMode,

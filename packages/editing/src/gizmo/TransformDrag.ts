@@ -34,8 +34,8 @@ const delta = new Matrix4();
 const turn = new Quaternion();
 
 /**
- * Poses of objects while a gizmo drags a pivot: the objects move, turn and grow with the pivot. A single object turns
- * and grows in its place; several go round the pivot, or each turns and grows in its own.
+ * Poses of objects while a gizmo drags a pivot: the objects move, rotate and scale with the pivot. A single object
+ * rotates and scales about its own origin; several about the pivot, or each about its own origin.
  */
 export class TransformDrag {
   private readonly starts: readonly Start[];
@@ -84,7 +84,7 @@ export class TransformDrag {
   }
 
   /**
-   * Poses for the pivot's present place, in the order of the starts; parts that the mode does not change are left out.
+   * Poses for the pivot's present pose, in the order of the starts; parts that the mode does not change are omitted.
    */
   poses(mode: TransformMode, { each = false, turns = false }: DragOptions = {}): Partial<Pose>[] {
     const { pivot, starts } = this;
@@ -106,8 +106,8 @@ export class TransformDrag {
 const matrix = new Matrix4();
 
 /**
- * Places a gizmo's pivot in the world, with the rotation of an object.
- * @param like - world matrix of that object
+ * Places a gizmo's pivot in the world, with an object's rotation.
+ * @param like - world matrix of the object
  */
 export function placePivot(pivot: Object3D, place: Vector3, like: Matrix4): void {
   pivot.position.copy(place);

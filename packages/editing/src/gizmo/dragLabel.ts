@@ -7,7 +7,7 @@ const short = (value: number): string => String(Number(value.toFixed(3)) + 0);
 
 /**
  * Label of a drag in the history: 'Moved Lantern 3 by 0, 1.2, 0 m', 'Rotated 3 objects by 45°'.
- * @param objects - that are dragged; at least one
+ * @param objects - dragged objects; at least one
  */
 export function dragLabel(
   mode: TransformMode,

@@ -19,14 +19,14 @@ const distance = (angles: Vector3Tuple, before: Vector3Tuple): number =>
 /**
  * The Euler angles of a rotation that are nearest to others (rad). Each rotation has many: a turn of 170° about y is
  * (0, 170, 0) and (180, 10, 180) degrees.
- * @param before - what they were, so that a drag changes no angle without need
+ * @param before - previous angles, so that a drag does not change angles needlessly
  */
 export function nearestEuler(quaternion: Quaternion, before: Vector3Tuple, order: EulerOrder = 'XYZ'): Vector3Tuple {
   const { x, y, z } = euler.setFromQuaternion(quaternion, order);
   const [first, middle, last] = [...order].map((letter) => 'XYZ'.indexOf(letter));
   const found = [x, y, z];
   if (Math.abs(Math.cos(found[middle])) < LOCKED) {
-    // gimbal lock: the last angle is kept, and the first makes up for it
+    // gimbal lock: the last angle is kept, and the first compensates
     found[last] = before[last];
     const turned = (index: number): Quaternion =>
       part.setFromAxisAngle(axis.set(0, 0, 0).setComponent(index, 1), -found[index]);

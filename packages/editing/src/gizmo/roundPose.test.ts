@@ -16,7 +16,7 @@ describe('angles that are nearest to those before', () => {
       const found = nearestEuler(turnOf([0, toRadians(angle), 0]), [0, toRadians(angle - 5), 0]);
       expect(degrees(found)).toEqual([0, angle, 0]);
     }
-    // from where the drag began
+    // relative to the start of the drag
     expect(degrees(nearestEuler(turnOf([0, toRadians(170.955), 0]), [0, 0, 0]))).toEqual([0, 170.955, 0]);
   });
 
@@ -33,7 +33,7 @@ describe('angles that are nearest to those before', () => {
       const wanted = turnOf(angles, order);
       const found = nearestEuler(wanted, before, order);
       expect(turnOf(found, order).angleTo(wanted)).toBeLessThan(1e-6);
-      // not a turn farther than need be; between two forms the nearer
+      // no angle is a whole turn off, and the nearer of two equivalent forms is chosen
       expect(Math.max(...found.map((angle, axis) => Math.abs(angle - before[axis])))).toBeLessThan(3 * Math.PI);
     }
   });

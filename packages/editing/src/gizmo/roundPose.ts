@@ -11,7 +11,7 @@ export interface PoseValues {
   readonly scale: Vector3Tuple;
 }
 
-/** Significant digits kept of the length of a drag, and of a scale. */
+/** Significant digits kept of a drag's length, and of a scale. */
 const DIGITS = 5;
 /** Decimals kept of angles in degrees. */
 const DEGREE_DECIMALS = 3;
@@ -19,8 +19,8 @@ const DEGREE_DECIMALS = 3;
 const NOISE = 1e-9;
 
 /**
- * Rounds the numbers of a vector that have changed; others keep all their digits.
- * @param decimals - kept of each changed number
+ * Rounds the changed numbers of a vector; unchanged ones keep all their digits.
+ * @param decimals - returns the decimals to keep of a changed number
  */
 const rounded = (after: Vector3Tuple, before: Vector3Tuple, decimals: (value: number) => number): Vector3Tuple =>
   after.map((value, i) => {
@@ -32,15 +32,15 @@ const rounded = (after: Vector3Tuple, before: Vector3Tuple, decimals: (value: nu
 const decimalsOf = (value: number, digits: number): number => digits - 1 - Math.floor(Math.log10(Math.abs(value) || 1));
 
 /**
- * A pose that a drag led to, as somebody would type it: without the digits that calculating leaves behind, 0.8 and not
- * 0.7999999999999989, and with the rotation whose angles are nearest to those before.
+ * Rounds the pose at the end of a drag to readable numbers: 0.8, not 0.7999999999999989. Of equivalent Euler angles,
+ * those nearest to the previous ones are chosen.
  * @param before - the pose before the drag
- * @param order - of the angles
+ * @param order - order of the Euler angles
  */
 export function roundPose(before: PoseValues, pose: Partial<Pose>, order: EulerOrder = 'XYZ'): Partial<PoseValues> {
   const { position, quaternion, scale } = pose;
   const far = position ? Math.max(...position.toArray().map((value, i) => Math.abs(value - before.position[i]))) : 0;
-  // a drag by 1 m keeps tenths of a millimetre; a long one never less than millimetres
+  // a drag by 1 m keeps tenths of a millimetre; a long drag keeps at least millimetres
   const decimals = Math.max(decimalsOf(far, DIGITS), 3);
   return {
     ...(position && { position: rounded(position.toArray(), before.position, () => decimals) }),

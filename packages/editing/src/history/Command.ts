@@ -5,26 +5,26 @@ export interface CommandSelection<Item = string> {
 }
 
 /**
- * One edit of a document. `do` and `undo` alternate, beginning with `do`; after either, the document is exactly what it
- * was after the same call before. A call that throws has changed nothing.
+ * One edit of a document. `do` and `undo` alternate, beginning with `do`, and each always leads to the same state of
+ * the document. A call that throws has changed nothing.
  */
 export interface Command<Item = string> {
-  /** Name of the step in menus, as in 'Undo move'. */
+  /** Label of the step in menus, as in 'Undo move'. */
   readonly label: string;
-  /** Whether the command changes nothing; such a command is not kept in the history. */
+  /** Whether the command changes nothing; it is then not added to the history. */
   readonly isEmpty?: boolean;
   /** Selection after `do` and after `undo`; unchanged when absent. */
   readonly selection?: CommandSelection<Item>;
   do(): void;
   undo(): void;
   /**
-   * While this command is done: does `next` in its stead, without undoing this one first.
-   * @returns the command that leads from before this one to after `next`; null, with nothing changed, where `next` edits
-   *   something else
+   * Called while this command is done: does `next` in place of it, without an undo in between.
+   * @returns the combined command, which also undoes this one; null, with nothing changed, when `next` edits something
+   *   else
    */
   replaceWith?(next: Command<Item>): Command<Item> | null;
   /**
-   * Called when the command can be neither undone nor redone any more: disposes of objects that only the command holds.
+   * Called once the command can be neither undone nor redone: disposes of objects that only the command refers to.
    * @param isDone - whether the command is done, not undone
    */
   forget?(isDone: boolean): void;

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Command } from './Command';
 import { CommandStack } from './CommandStack';
 
-/** Sets a number; joins with another of its kind, or not. */
+/** Command that sets a number, and may merge with another one of its kind. */
 class SetNumber implements Command {
   readonly forgotten: boolean[] = [];
   before = 0;

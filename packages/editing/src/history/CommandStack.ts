@@ -5,42 +5,42 @@ import type { EditRecorder } from './EditRecorder';
 import { Gesture } from './Gesture';
 import { Signal } from '../Signal';
 
-/** The history of a document: what was done, and what was undone and may be redone. */
+/** Undo history of a document. */
 export class CommandStack<Item = string> {
   /** Emits when the history changes. */
   readonly changed = new Signal();
-  /** Gives another command in place of each one run or previewed, as when an animation is recorded; null for none. */
+  /** Replaces each command that is run or previewed, for instance while an animation is recorded; null for none. */
   recorder: EditRecorder<Item> | null = null;
 
   private readonly done: Command<Item>[] = [];
   private readonly undone: Command<Item>[] = [];
   private gesture: Gesture<Item> | null = null;
-  /** Command at the saved state, null at the start; undefined when no undo or redo leads to the saved state. */
+  /** Last command at the saved state, null at the start; undefined when undo and redo cannot reach that state. */
   private savedAt: Command<Item> | null | undefined = null;
-  /** Number of oldest steps that `undo` leaves alone, see `hold`. */
+  /** Number of oldest steps that `undo` cannot reach, see `hold`. */
   private held = 0;
   private isHeld = false;
 
   /**
    * @param onApplied - called after a command was done or undone
-   * @param limit - steps that are kept; the oldest go first
+   * @param limit - greatest number of steps; older ones are dropped
    */
   constructor(
     private readonly onApplied: (command: Command<Item>, isDone: boolean) => void = () => {},
     private readonly limit = 1000,
   ) {}
 
-  /** The command that `undo` takes back; null when there is none. */
+  /** The command that `undo` would undo; null for none. */
   get last(): Command<Item> | null {
     return this.done.at(-1) ?? null;
   }
 
-  /** Label of the step that `undo` takes back; null when there is none. */
+  /** Label of the step that `undo` would undo; null for none. */
   get undoLabel(): string | null {
     return this.done.length > this.held ? this.done.at(-1)!.label : null;
   }
 
-  /** Label of the step that `redo` does again; null when there is none. */
+  /** Label of the step that `redo` would redo; null for none. */
   get redoLabel(): string | null {
     return this.undone.at(-1)?.label ?? null;
   }
@@ -50,12 +50,12 @@ export class CommandStack<Item = string> {
     return this.done.map(({ label }) => label);
   }
 
-  /** Labels of all steps that can be done again, the next one first. */
+  /** Labels of all steps that can be redone, the next one first. */
   get future(): readonly string[] {
     return this.undone.map(({ label }) => label).toReversed();
   }
 
-  /** Whether the document differs from what was last saved. */
+  /** Whether the document differs from its saved state. */
   get isDirty(): boolean {
     return (this.done.at(-1) ?? null) !== this.savedAt;
   }
@@ -65,12 +65,12 @@ export class CommandStack<Item = string> {
     return this.gesture !== null;
   }
 
-  /** Value from which an edit of a field begins: the authored one, unless the recorder supplies another. */
+  /** Value from which an edit of a field starts: the authored one, unless the recorder supplies another. */
   valueOf(owner: FieldTarget, name: string): FieldValue {
     return this.recorder?.valueOf(owner, name) ?? owner.getAuthored(name);
   }
 
-  /** Does a command as a step of its own. An open gesture is committed first. @throws what the command throws */
+  /** Runs a command as one step. An open gesture is committed first. @throws what the command throws */
   run(asked: Command<Item>): void {
     this.gesture?.commit();
     const command = this.recorder?.begin()(asked) ?? asked;
@@ -81,7 +81,7 @@ export class CommandStack<Item = string> {
     this.changed.emit();
   }
 
-  /** Begins an edit of many previews and one step of history. An open gesture is committed first. */
+  /** Begins an edit of many previews that becomes one step of history. An open gesture is committed first. */
   begin(): Gesture<Item> {
     this.gesture?.commit();
     const gesture = new Gesture<Item>((command) => {
@@ -97,9 +97,9 @@ export class CommandStack<Item = string> {
   }
 
   /**
-   * Does `next` in place of the last step, as one step with it: for a value that comes after its gesture was committed.
+   * Merges `next` into the last step, for a value that arrives after its gesture was committed.
    * @param step - the command that `next` belongs to
-   * @returns false, and nothing is changed, when `step` is not the last step any more or cannot be joined
+   * @returns false, with nothing changed, when `step` is not the last step any more or cannot be merged
    */
   amend(step: Command<Item>, next: Command<Item>): boolean {
     if (this.gesture || step !== this.last || this.done.length <= this.held) return false;
@@ -112,7 +112,7 @@ export class CommandStack<Item = string> {
     return true;
   }
 
-  /** Takes the last step back; of an open gesture, what it has done so far. @returns whether there was one */
+  /** Undoes the last step; an open gesture is committed first. @returns whether there was one */
   undo(): boolean {
     this.gesture?.commit();
     const command = this.done.length > this.held ? this.done.at(-1) : undefined;
@@ -126,7 +126,7 @@ export class CommandStack<Item = string> {
     return true;
   }
 
-  /** Does the last undone step again. @returns whether there was one */
+  /** Redoes the last undone step. @returns whether there was one */
   redo(): boolean {
     this.gesture?.commit();
     const command = this.undone.at(-1);
@@ -140,7 +140,7 @@ export class CommandStack<Item = string> {
     return true;
   }
 
-  /** Begins a group of steps that `release` can take back at once; earlier steps cannot be undone until then. */
+  /** Begins a group of steps that `release` can undo at once; earlier steps cannot be undone until then. */
   hold(): void {
     this.gesture?.commit();
     this.held = this.done.length;
@@ -150,9 +150,9 @@ export class CommandStack<Item = string> {
 
   /**
    * Undoes all steps since `hold`, and removes them from the history.
-   * @param failed - called for a step that cannot be undone, such as an edit of an object that is gone; the other steps
-   * are undone. When absent, the error is thrown
-   * @returns the undone steps, oldest first: the caller must do them again or `forget` them
+   * @param failed - called for a step that cannot be undone, such as an edit of a removed object; the other steps are
+   *   undone. When absent, the error is thrown
+   * @returns the undone steps, oldest first: the caller must redo or `forget` them
    */
   release(failed?: (command: Command<Item>, error: unknown) => void): Command<Item>[] {
     if (!this.isHeld) return [];
@@ -167,7 +167,7 @@ export class CommandStack<Item = string> {
         failed(command, error);
       }
     }
-    // steps undone before came after these, and can no longer be redone
+    // steps that can be redone follow on the removed ones, so they are lost too
     if (taken.length > 0) for (const command of this.undone.splice(0)) command.forget?.(false);
     this.held = 0;
     this.isHeld = false;
@@ -175,7 +175,7 @@ export class CommandStack<Item = string> {
     return taken.toReversed();
   }
 
-  /** Marks the document as saved in its state after a step: the last one, unless another is given. */
+  /** Marks the state after a step as saved: after the last step, unless another is given. */
   markSaved(step?: Command<Item> | null): void {
     this.gesture?.commit();
     this.savedAt = step === undefined ? this.last : step;
@@ -188,7 +188,7 @@ export class CommandStack<Item = string> {
     this.changed.emit();
   }
 
-  /** Forgets all steps, for another document; an open gesture is discarded. */
+  /** Clears the history, for another document; an open gesture is discarded. */
   clear(): void {
     this.gesture?.discard();
     for (const command of this.done.splice(0)) command.forget?.(true);

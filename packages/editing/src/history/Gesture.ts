@@ -1,15 +1,15 @@
 import type { Command } from './Command';
 
 /**
- * An edit under way, such as a drag: any number of previews, each in place of the one before, then one commit or one
- * discard. See `CommandStack.begin`.
+ * An edit under way, such as a drag: any number of previews, each replacing the last, then one commit or discard. See
+ * `CommandStack.begin`.
  */
 export class Gesture<Item = string> {
   private current: Command<Item> | null = null;
   private open = true;
 
   /**
-   * @param finish - called with the command of a committed gesture; null when there is nothing to keep
+   * @param finish - called with the command of a committed gesture; null when nothing changed
    * @param instead - replaces each command before it is run, see `EditRecorder`
    */
   constructor(
@@ -23,8 +23,8 @@ export class Gesture<Item = string> {
   }
 
   /**
-   * Does a command in place of the last preview.
-   * @throws what the command throws; the document is then as at the start
+   * Runs a command in place of the last preview.
+   * @throws the command's error; the document is then as at the start
    */
   preview(asked: Command<Item>): void {
     if (!this.open) return;
@@ -41,8 +41,8 @@ export class Gesture<Item = string> {
   }
 
   /**
-   * Reverts the last preview; the gesture continues. To be called before a command is made that looks at more of the
-   * scene than the fields it sets, such as one that deletes or moves objects.
+   * Reverts the last preview; the gesture continues. Call it before making a command that depends on more of the scene
+   * than the fields it sets, such as one that deletes or moves objects.
    */
   reset(): void {
     if (!this.open || !this.current) return;
@@ -59,7 +59,7 @@ export class Gesture<Item = string> {
     this.finish(this.current && !this.current.isEmpty ? this.current : null);
   }
 
-  /** Puts the document back to what it was at the start. */
+  /** Restores the document's state from the start of the gesture. */
   discard(): void {
     if (!this.open) return;
     this.reset();

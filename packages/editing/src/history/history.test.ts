@@ -10,7 +10,7 @@ function random(seed: number): () => number {
   };
 }
 
-/** Sets a number of a list. */
+/** Command that sets a number of a list. */
 function setNumber(values: number[], index: number, value: number): Command {
   const before = values[index];
   return {

@@ -1,4 +1,4 @@
-/** Parts of a KeyboardEvent, or of React's event around one, that tell whether an input method has the key. */
+/** Parts of a KeyboardEvent, or of React's event around one, that tell whether an input method handles the key. */
 export interface ComposedKey {
   readonly isComposing?: boolean;
   readonly keyCode?: number;
@@ -6,8 +6,8 @@ export interface ComposedKey {
 }
 
 /**
- * Whether a key belongs to an input method, which writes Chinese, Japanese or Korean: its Enter takes a word and its Escape
- * drops one, so a text field must do neither. Safari tells of the Enter that ends a word by keyCode 229 alone.
+ * Whether a key belongs to an input method, which writes Chinese, Japanese or Korean: its Enter accepts a word, its
+ * Escape cancels one; text fields must ignore both. Safari marks that Enter by keyCode 229 alone.
  *
  * @see https://www.w3.org/TR/uievents/#events-composition-key-events
  */

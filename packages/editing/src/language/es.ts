@@ -2,7 +2,7 @@ import type { Texts } from './translate';
 
 export { esOfApps } from './esOfApps';
 
-/** Spanish texts of this package, and those that @farol/attach shares with apps, by their English ones. */
+/** Spanish texts of this package, and those that @farol/attach shares with apps, by their English texts. */
 export const es: Texts = {
   'Ambient occlusion is not in this frame: switch it on, with a technique that has depth before it lights, such as Deferred shading, Light pre-pass or Forward+.':
     'En este fotograma no hay oclusión ambiental: se activa, con una técnica que conozca la profundidad antes de sombrear, como Sombreado diferido, Light pre-pass o Forward+.',
@@ -137,7 +137,7 @@ export const es: Texts = {
   Angle: 'Ángulo',
   'A layer of varnish.': 'Una capa de barniz.',
   'Find a field': 'Buscar un campo',
-  'No field here is called that.': 'Ningún campo se llama así.',
+  'No field matches the search.': 'Ningún campo coincide con la búsqueda.',
   Height: 'Alto',
   Automatic: 'Automático',
   Frame: 'Fotograma',

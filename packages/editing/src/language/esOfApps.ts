@@ -1,6 +1,6 @@
 import type { Texts } from './translate';
 
-/** Spanish texts that the editor, the viewer or the Lab share, by their English ones. */
+/** Spanish texts that the editor, the viewer or the Lab share, by their English texts. */
 export const esOfApps: Texts = {
   Help: 'Ayuda',
   Temple: 'Templo',

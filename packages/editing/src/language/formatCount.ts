@@ -4,10 +4,10 @@ const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const short = new Intl.NumberFormat('en', { notation: 'compact', maximumFractionDigits: 1 });
 
 /**
- * A number of things, its thousands apart. The editors write decimals with a point in every language, as their fields read
- * them: a comma between thousands would be read as one of decimals outside of English, so that a narrow blank is there.
+ * Formats a count with separated thousands. Editors use a decimal point in every language, as their fields parse it;
+ * outside of English a comma between thousands would look like a decimal comma, so a narrow blank is used.
  * @param count - rounded to a whole number
- * @param isShort - as '151.7K'
+ * @param isShort - abbreviates, as in '151.7K'
  */
 export function formatCount(count: number, isShort = false): string {
   const text = (isShort ? short : whole).format(count);

@@ -3,9 +3,9 @@ import { textLocale } from './translate';
 const formats = new Map<string, Intl.DateTimeFormat>();
 
 /**
- * A moment in the language that is shown: its time of day, to the second.
+ * Formats a time of day, to the second, in the current language.
  * @param time - ms since 1970
- * @param withDate - says the day too
+ * @param withDate - includes the date
  */
 export function formatTime(time: number, withDate = false): string {
   const locale = textLocale();

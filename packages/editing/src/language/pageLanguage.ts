@@ -12,15 +12,15 @@ function chosenLanguage(): string | null {
   try {
     return localStorage.getItem(KEY);
   } catch {
-    return null; // no storage
+    return null; // storage is unavailable
   }
 }
 
 /**
- * Shows a page's texts in a language, says so in `<html lang>`, and keeps the choice for the next visit where there is
- * storage. What was made before stays as it is: make it anew afterwards.
+ * Sets a page's language and `<html lang>`, and stores the choice if storage is available. Existing elements are not
+ * changed: make them again afterwards.
  * @param fetchSpanish - fetches the page's Spanish texts
- * @returns whether it is the language chosen last
+ * @returns false when another language was chosen meanwhile
  * @throws Error (as a rejection) when the texts cannot be fetched; the language then stays
  */
 export async function showPageLanguage(language: Language, fetchSpanish: FetchTexts): Promise<boolean> {
@@ -38,8 +38,8 @@ export async function showPageLanguage(language: Language, fetchSpanish: FetchTe
 }
 
 /**
- * Language of a page that opens: the one chosen on this device, else the browser's, else English; its texts are set. English
- * where they cannot be fetched.
+ * Sets the initial language of a page: the one chosen on this device, else the browser's, else English; English when
+ * the texts cannot be fetched.
  * @param fetchSpanish - fetches the page's Spanish texts
  */
 export async function startPageLanguage(fetchSpanish: FetchTexts): Promise<Language> {

@@ -1,24 +1,24 @@
-/** Texts of a language: its text for each English text in the code. `{name}` stands for a value that is filled in. */
+/** Texts of a language by the English texts in the code. `{name}` is a placeholder for a value. */
 export type Texts = Readonly<Record<string, string>>;
 
 let texts: Texts = {};
 let language = 'en';
 
 /**
- * Sets the language of all texts shown from now on.
- * @param wanted - texts by their English ones; none for English
- * @param name - of the language, such as 'es'
+ * Sets the language of all texts returned from now on.
+ * @param wanted - texts by their English texts; empty for English
+ * @param name - code of the language, such as 'es'
  */
 export function setTexts(wanted: Texts, name = 'en'): void {
   texts = wanted;
   language = name;
 }
 
-/** The name of the language that is shown, such as 'es'. */
+/** Code of the current language, such as 'es'. */
 export const textLanguage = (): string => language;
 
 /**
- * The language that is shown, as dates and lists need it: as the browser has it, with its country, else by itself.
+ * Locale of the current language, for dates and lists, with the country if the browser's languages have one.
  * @returns a tag of BCP 47, such as 'es-MX'
  */
 export function textLocale(): string {
@@ -27,11 +27,11 @@ export function textLocale(): string {
 }
 
 /**
- * A text in the language that is shown. The English text is its name: `t('Box {number}', { number: 2 })`. Call it where
- * the text is shown, not where a module begins: the language may change. What follows '##' is a note, which is not
- * shown: 'Scale##verb', where other languages have another word for what one does than for what one has.
- * @param english - a literal, so that a test finds it and misses no text of another language
- * @param values - what stands for `{name}`; a name without a value stays as it is
+ * Translates a text into the current language. The English text is its key: `t('Box {number}', { number: 2 })`. Call it
+ * when the text is needed, not at module level, since the language may change. A note after '##' is not shown; it
+ * separates meanings: 'Scale##verb' and 'Scale' differ in other languages.
+ * @param english - a literal, so that a test finds texts without a translation
+ * @param values - values of the placeholders; one without a value stays as `{name}`
  */
 export function t(english: string, values?: Readonly<Record<string, string | number>>): string {
   const text = Object.hasOwn(texts, english) ? texts[english]! : withoutNote(english);
@@ -47,7 +47,7 @@ function withoutNote(english: string): string {
 }
 
 /**
- * Text for a number of things, with one form for 1 and one for all other counts. `{count}` is filled in.
+ * Translated text with a count, in one form for 1 and another for all other counts. `{count}` is the placeholder.
  * @param one - for a count of 1, such as '{count} light'
  * @param many - for any other, such as '{count} lights'
  */

@@ -153,7 +153,7 @@ export class AnimationSystem implements SceneSystem {
     if (channels.size === 0) table.delete(key);
   }
 
-  /** Reports a value that cannot be shown, without ending the frame. */
+  /** Reports an error of a component's animated value; the frame continues. */
   tellOf(component: Component, error: unknown): void {
     if (this.scene.onComponentError) this.scene.reportError(component, error);
     else console.warn(error instanceof Error ? error.message : String(error));

@@ -5,7 +5,7 @@ import { sizeOfField } from './TrackCurve';
 
 /**
  * Target of clips: a field of a component, or a property of a node of a model. The value of several clips at once is
- * their weighted mean; where weights sum to less than 1, the original value fills the rest.
+ * their weighted mean; if their weights sum to less than 1, the original value has the remaining weight.
  */
 export interface Channel {
   /** Frame in which the channel last got a value. */
@@ -21,7 +21,7 @@ export interface Channel {
   addStep(value: FieldValue, weight: number): void;
   /**
    * Writes the blended value to the target.
-   * @throws FieldError when the field refuses the value; the channel is gone then
+   * @throws FieldError when the field refuses the value; `isGone` is true then
    */
   apply(): void;
   /** Restores the value that the animated field or node had before. */
@@ -33,7 +33,7 @@ const quaternion = new Quaternion();
 const turned = new Float64Array(4);
 const straight = new Float64Array(4);
 
-/** Moves numbers towards others by a share; all the way exactly. */
+/** Interpolates `target` towards `values` by `share` (0 to 1); at 1 the copy is exact. */
 function mix(target: Float64Array, values: ArrayLike<number>, share: number): void {
   if (share === 1) for (let i = 0; i < target.length; i++) target[i] = values[i];
   else for (let i = 0; i < target.length; i++) target[i] += (values[i] - target[i]) * share;
@@ -98,7 +98,7 @@ export class FieldChannel implements Channel {
 
   addStep(value: FieldValue, weight: number): void {
     this.weight += weight;
-    // of equal weights the later one is shown
+    // at equal weights, the value added last wins
     if (weight < this.stepWeight) return;
     this.step = value;
     this.stepWeight = weight;
@@ -132,7 +132,7 @@ export class FieldChannel implements Channel {
 
   release(): void {
     const { component, field } = this;
-    // a uniform of a surface, or a weight of a model's morph target, goes with them
+    // fields of a surface's uniforms and of morph targets vanish with the surface or model
     if (component.isAttached && Object.hasOwn(component.fields, field))
       component.simulate(field, component.getAuthored(field));
   }

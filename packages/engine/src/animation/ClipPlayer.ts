@@ -21,7 +21,7 @@ export interface PlayerOptions {
   readonly startTime: number;
 }
 
-/** Owner of a ClipPlayer, which tells the user of its problems. */
+/** Owner of a ClipPlayer, which reports problems to the user. */
 export interface PlayerHost {
   readonly gameObject: GameObject;
   /** Reports why a clip cannot be played. */
@@ -190,7 +190,7 @@ export class ClipPlayer {
     this.offset = this.eventsUntil = this.rate < 0 ? this.bound.duration - this.startTime : this.startTime;
   }
 
-  /** Whether tracks must be bound anew: the ModelRenderer made a new tree, or the clip was replaced. */
+  /** Whether tracks must be rebound: the ModelRenderer made a new tree, or the clip was replaced. */
   private get hasChanged(): boolean {
     for (let i = 0; i < this.drawn.length; i++) if (this.drawn[i].three !== this.roots[i]) return true;
     if (this.revision === this.system.clipsRevision) return false;

@@ -23,7 +23,7 @@ const [clip] = new Model(new Object3D().add(node), [
   ]),
 ]).clips;
 
-/** The channels that the clip's tracks are bound to, and its problems. @param names - names of objects below the root */
+/** Binds a clip's tracks; returns channels and problems. @param names - names of the objects below the root */
 function bind(names: readonly string[], drawn: Partial<ModelInScene>) {
   const root = new GameObject('Root');
   for (const name of names) root.add(new GameObject(name));

@@ -73,7 +73,7 @@ interface TrackName {
   readonly objectName?: string;
 }
 
-/** The node that a track of a model's clip moves, in the model as it was read. */
+/** Node that a track of a model's clip moves, in the loaded model (not in its copies in scenes). */
 const nodeOfTrack = (clip: ModelClip, { nodeName = '' }: TrackName): Object3D | null =>
   PropertyBinding.findNode(clip.model.scene, nodeName) as Object3D | null;
 
@@ -94,8 +94,8 @@ export function targetOfTrack(
 }
 
 /**
- * Channels of a property of a model's node wherever the scene shows it: in renderers of the model or of its parts, and
- * the object of the node's name where the model is not drawn whole; else a message with its remedy.
+ * Channels for a property of a model's node: on each drawn copy of the node, and on the object of the node's name where
+ * the model is unpacked; else a message with its remedy.
  */
 function channelsOfNode(
   { node, property }: { readonly node: Object3D; readonly property: NodeProperty },
@@ -115,7 +115,7 @@ function channelsOfNode(
   for (const each of drawn) {
     const { three } = each;
     const isOwn = each.drawnModel === clip.model;
-    // an object of that name comes before a node of another model, and stands for the root of parts
+    // an object of the node's name is preferred to a node of another model, and poses the root of drawn parts
     if (!isMorph && (isOwn ? each.partsRoot === node : object)) continue;
     const copy = isOwn ? each.copyOf(node) : three && (PropertyBinding.findNode(three, name) as Object3D | null);
     if (copy && (!isMorph || 'morphTargetInfluences' in copy)) found.push(channels.nodeChannel(copy, property));
@@ -128,8 +128,8 @@ function channelsOfNode(
 }
 
 /**
- * Binds the tracks of a model's clip: to nodes of the model where it is drawn whole, else to objects of the same names
- * and renderers of its parts, or to nodes of another model with the same names.
+ * Binds the tracks of a model's clip: to nodes of the model if it is drawn whole, else to objects of the same names and
+ * to drawn parts, or to nodes of the same names in another model.
  * @param drawn - renderers of the clip's model, or of any model, below the object: see `modelsBelow`
  */
 export function bindModelClip(

@@ -104,7 +104,7 @@ describe('cubicBezier', () => {
       const t = random();
       const at = (a: number, b: number): number => 3 * (1 - t) ** 2 * t * a + 3 * (1 - t) * t * t * b + t ** 3;
       const slopeX = 3 * (1 - t) ** 2 * x1 + 6 * (1 - t) * t * (x2 - x1) + 3 * t * t * (1 - x2);
-      // where the curve stands upright, the value at a time is not told by the time alone
+      // where the curve is vertical, time does not determine the value
       if (slopeX < 1e-3) continue;
       expect(Math.abs(cubicBezier(x1, y1, x2, y2, at(x1, x2)) - at(y1, y2))).toBeLessThan(1e-9);
     }

@@ -7,10 +7,10 @@ export type ClipWrap = 'once' | 'loop' | 'ping-pong';
 const MOST_PASSES = 1000;
 
 /**
- * The time within a clip.
- * @param seconds - since its beginning, as if it had no end; below 0 where it runs backwards
+ * Position within a clip (s), for an unwrapped position.
+ * @param seconds - unwrapped position; negative when the clip plays backwards
  * @param duration - of the clip (s)
- * @param isBackwards - true: the end counts as the end; false: as the beginning of the next pass
+ * @param isBackwards - at a multiple of `duration`: true returns the clip's end, false its beginning
  */
 export function wrapTime(seconds: number, duration: number, wrap: ClipWrap, isBackwards = false): number {
   if (duration <= 0) return 0;
@@ -22,11 +22,11 @@ export function wrapTime(seconds: number, duration: number, wrap: ClipWrap, isBa
 }
 
 /**
- * Finds the events that a clip passes on its way, each once in each pass, in the order they are passed in.
+ * Calls `call` for the events between two unwrapped positions of a clip, once per pass, in playing order.
  * @param events - in order of time; those after the end of the clip are never passed
- * @param from - seconds as of `wrapTime`
- * @param to - present position; an event exactly there is passed
- * @param withFrom - whether one exactly at `from` is passed too: where the clip begins
+ * @param from - previous position (s, unwrapped)
+ * @param to - present position (s, unwrapped), inclusive
+ * @param withFrom - whether `from` is inclusive: true where the clip begins
  */
 export function passEvents(
   events: readonly ClipEvent[],
@@ -48,12 +48,12 @@ export function passEvents(
       : (at < from || (withFrom && at === from)) && at >= to;
   const visit = (event: ClipEvent, at: number): void => {
     if (event.time > duration || !isPassed(at)) return;
-    // before the first pass there is no end of an earlier one
+    // an event at the very end of the pass before `from` has been called already, or has no pass
     const isBefore = at === from && period > 0 && event.time === (direction > 0 ? duration : 0);
     if (wrap === 'loop' && isBefore) return;
     call(event);
   };
-  /** One way through the clip; `turned` is the way back of ping-pong, without its two ends. */
+  /** Visits one pass; `turned` is the backward pass of ping-pong, whose two ends belong to forward passes. */
   const pass = (start: number, turned: boolean): void => {
     const isFalling = turned !== direction < 0;
     for (let n = 0; n < count; n++) {
@@ -66,7 +66,7 @@ export function passEvents(
   const last = Math.floor(to / period);
   const first = Math.floor(from / period);
   const passes = Math.min(Math.abs(last - first), MOST_PASSES);
-  // one loop of the clip more at each end, for events that rounding puts into a neighbouring one
+  // one more pass at either end, since rounding may put an event into a neighbouring pass
   for (let n = -1; n <= passes + 1; n++) {
     const start = (last - direction * (passes - n)) * period;
     if (isPingPong && direction < 0) pass(start, true);

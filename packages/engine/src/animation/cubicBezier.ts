@@ -1,4 +1,4 @@
-/** Exact where the curve is a straight line, else to about 1e-12. */
+/** Tolerance of the solved x; the resulting y is right to about 1e-12. */
 const ACCURACY = 1e-13;
 
 /** A coordinate of the curve from 0 to 1 with inner control points a and b. */
@@ -8,7 +8,7 @@ const slopeAt = (t: number, a: number, b: number): number =>
   (3 * (1 + 3 * a - 3 * b) * t + 2 * (3 * b - 6 * a)) * t + 3 * a;
 
 /**
- * The curve of CSS's `cubic-bezier(x1, y1, x2, y2)`: the share of the value at a share of the time.
+ * Curve of CSS's `cubic-bezier(x1, y1, x2, y2)`: y (progress of the value) at x (progress of time).
  * @param x1 - 0 to 1, as `x2`
  * @param x - 0 to 1
  * @see https://www.w3.org/TR/css-easing-1/#cubic-bezier-easing-functions
@@ -17,7 +17,7 @@ export function cubicBezier(x1: number, y1: number, x2: number, y2: number, x: n
   if (x <= 0) return 0;
   if (x >= 1) return 1;
   if (x1 === y1 && x2 === y2) return x;
-  // Newton's steps, held between bounds that close like those of a bisection
+  // Newton iterations, kept within bisection bounds
   let low = 0;
   let high = 1;
   let t = x;

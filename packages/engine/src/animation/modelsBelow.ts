@@ -16,7 +16,7 @@ export interface ModelInScene extends Component {
 
 const drawsModel = (component: Component): component is ModelInScene => 'drawnModel' in component;
 
-/** The first component on an object, or below it, that draws a model or parts of it; any model when none is given. */
+/** First component on an object, or below it, that draws a model or its parts; `model` null accepts any model. */
 export function modelBelow(root: GameObject, model: Model | null): ModelInScene | null {
   for (const component of root.components) {
     if (!drawsModel(component) || !component.drawnModel) continue;

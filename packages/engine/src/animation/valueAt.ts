@@ -5,8 +5,8 @@ import { curveOf } from './TrackCurve';
 const numbers = new Float64Array(3);
 
 /**
- * The value of a track at a time: that of the first key before it, that of the last one after it.
- * @param field - what the track animates: its range holds the values between keys
+ * Value of a track at a time; before the first key that of the first key, after the last key that of the last.
+ * @param field - animated field, whose range limits interpolated values
  * @param time - seconds from the beginning of the clip
  * @returns undefined when the track has no keys
  */

@@ -110,14 +110,14 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** Lets the display show a frame at a time in milliseconds. */
+/** Runs the callbacks of an animation frame at a time (ms). */
 const display = (time: number): void => {
   const due = frames;
   frames = [];
   for (const callback of due) callback(time);
 };
 
-/** Fulfilled when what is settled has been told. */
+/** Resolves after all settled promises have called their handlers. */
 const settled = (): Promise<string> => new Promise((resolve) => setImmediate(() => resolve('waits')));
 
 describe('the loop', () => {

@@ -12,14 +12,11 @@ import { MicroShaderOverrides } from './MicroShaderOverrides';
 export interface AppOptions {
   /** Canvas to draw to; one is made when absent. */
   canvas?: HTMLCanvasElement;
-  /**
-   * Element that the canvas is put into, and whose size it follows, unless `resize` is called: from then on that
-   * counts.
-   */
+  /** Element that the canvas is appended to, and whose size the canvas follows until `resize` is called. */
   parent?: HTMLElement;
   /** Parameters of three's WebGLRenderer, such as `antialias`. */
   renderer?: WebGLRendererParameters;
-  /** A WebGLRenderer of the host's, in place of a new one; `canvas`, `parent` and `renderer` do not count then. */
+  /** A WebGLRenderer of the host's, in place of a new one; `canvas`, `parent` and `renderer` are then ignored. */
   webgl?: WebGLRenderer;
   /** Key of the renderer's `techniques`; its default when absent. */
   technique?: TechniqueName;
@@ -33,7 +30,7 @@ export interface AppOptions {
 
 /** Argument of `onFrame` listeners after each frame; one object is reused. */
 export interface FrameInfo {
-  /** Seconds by which the simulation went on; 0 while it pauses. */
+  /** Seconds by which the simulation advanced; 0 while it is paused. */
   readonly deltaSeconds: number;
   /** The scene's time in seconds. */
   readonly time: number;
@@ -49,7 +46,7 @@ export class App {
   readonly webgl: WebGLRenderer;
   /** Farol's renderer, which draws the scene. */
   readonly renderer: FarolRenderer;
-  /** Draws by `renderer` what the scene's settings say of the picture. */
+  /** Draws with `renderer`, and applies the picture settings of the scene. */
   readonly picture: PictureRenderer;
 
   private readonly input: InputRouter;
@@ -95,7 +92,7 @@ export class App {
     });
   }
 
-  /** The scene on show. One that is replaced is not disposed: it may be shown again. */
+  /** The scene that is drawn. Setting another does not dispose of the old one, which may be set again. */
   get scene(): Scene {
     return this.currentScene;
   }
@@ -147,7 +144,7 @@ export class App {
     this.advance(deltaSeconds);
   }
 
-  /** Puts the scene at a time in seconds, the same in every run, and draws exactly one frame. */
+  /** Moves the scene to a time (s), with the same result in every run, and draws exactly one frame. */
   renderAt(seconds: number): void {
     this.currentScene.setTime(seconds);
     this.render();
@@ -155,17 +152,17 @@ export class App {
   }
 
   /**
-   * Fulfilled when the scene on show is drawn as it stays while it does not move: its assets are loaded, all code is
-   * there, and a frame was drawn with them; see `PictureRenderer.ready`. Frames are the loop's; while it does not run,
-   * this draws. It waits while the scene has no camera.
+   * Resolves when the picture is final as long as nothing moves: assets and code are loaded, and a frame was drawn with
+   * them; see `PictureRenderer.ready`. While the loop is stopped, the getter draws the frames itself. Waits while the
+   * scene has no camera.
    *
-   * Rejected when code cannot be fetched, with an Error that says what to do, and when the app is disposed.
+   * Rejects when code cannot be fetched, with an Error that says what to do, and when the app is disposed.
    */
   get ready(): Promise<void> {
     return this.picture.ready;
   }
 
-  /** Draws the scene as it is; nothing but the background when it has no camera. */
+  /** Draws the scene without updating it; only the background when it has no camera. */
   render(): void {
     const camera = this.currentScene.activeCamera;
     if (!camera) {
@@ -177,10 +174,10 @@ export class App {
   }
 
   /**
-   * Sets the size of the canvas. It does not follow the parent's any more.
+   * Sets the size of the canvas, which no longer follows its parent.
    * @param width - CSS pixels, at least 1
    * @param height - CSS pixels, at least 1
-   * @param pixelRatio - device pixels for each CSS pixel; as it was when absent
+   * @param pixelRatio - device pixels per CSS pixel; unchanged when absent
    */
   resize(width: number, height: number, pixelRatio?: number): void {
     this.sizes?.disconnect();
@@ -190,7 +187,7 @@ export class App {
   /** Keeps the canvas as large as an element. */
   private follow(parent: HTMLElement): void {
     const fit = (): void => {
-      if (this.picture.inXR) return; // the canvas is the session's
+      if (this.picture.inXR) return; // an XR session sizes the canvas itself
       const width = Math.max(1, parent.clientWidth);
       const height = Math.max(1, parent.clientHeight);
       if (width === this.aspectWidth && height === this.aspectHeight) return;
@@ -213,7 +210,7 @@ export class App {
     this.webgl.setSize(this.aspectWidth, this.aspectHeight);
   }
 
-  /** Calls `listener` after each frame that is drawn. @returns a function that ends it */
+  /** Calls `listener` after each frame that is drawn. @returns a function that removes the listener */
   onFrame(listener: (frame: FrameInfo) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -233,7 +230,7 @@ export class App {
     if (this.ownsCanvas) this.canvas.remove();
   }
 
-  /** Applies the scene's microshaders, now and when they change. One that does not compile is reported and left out. */
+  /** Applies the scene's microshaders, now and on changes. Texts that do not compile are reported and ignored. */
   private watchMicroShaders(): void {
     const { currentScene: scene } = this;
     const apply = (): void => {
@@ -256,7 +253,7 @@ export class App {
     else this.advance(null);
   };
 
-  /** Updates, unless `deltaSeconds` is null, draws, and tells the listeners. */
+  /** Updates the scene (unless `deltaSeconds` is null), draws it and calls the frame listeners. */
   private advance(deltaSeconds: number | null): void {
     if (deltaSeconds !== null) this.currentScene.update(deltaSeconds);
     this.render();

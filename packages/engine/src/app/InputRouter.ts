@@ -20,9 +20,9 @@ const pointerTypeOf = ({ pointerType }: PointerEvent): 'mouse' | 'touch' | 'pen'
   pointerType === 'touch' || pointerType === 'pen' ? pointerType : 'mouse';
 
 /**
- * Turns a canvas's pointer events and a page's key events into the engine's, and passes them on. Keys that go to a text
- * field are left alone; keys held when the page loses focus are let go, and with Command, while which macOS tells of no
- * key that goes up.
+ * Turns a canvas's pointer events and a page's key events into the engine's, and passes them on. Ignores keys typed
+ * into text fields. Releases all keys when the page loses focus or Command is released: macOS sends no keyup for keys
+ * released while Command is held.
  */
 export class InputRouter {
   private readonly abort = new AbortController();
@@ -56,7 +56,7 @@ export class InputRouter {
     keys?.addEventListener('blur', () => this.releaseKeys(), { signal });
   }
 
-  /** Lets go of every key that is held. */
+  /** Releases every held key. */
   releaseKeys(): void {
     for (const event of [...this.held.values()]) this.keyUp(event);
   }

@@ -18,7 +18,7 @@ function made() {
   });
   const shader = registry.getShader('s', [], ['b']);
   const scene = new Scene();
-  // the registry of a renderer has programs of WebGL
+  // stands for a renderer's registry, which would need WebGL
   const overrides = new MicroShaderOverrides(registry as never);
   const apply = () => overrides.apply(scene.microShaders.texts).map(({ name, error }) => `${name}: ${error.message}`);
   return { registry, shader, scene, apply, overrides };

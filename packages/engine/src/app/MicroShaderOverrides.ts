@@ -1,6 +1,6 @@
 import type { MicroShader, MicroShaderRegistry } from '@farol/renderer/authoring';
 
-/** A microshader of a scene that a renderer refused; the one before it stays in use. */
+/** A microshader of a scene that a renderer refused; the previous text stays in use. */
 export interface MicroShaderProblem {
   readonly name: string;
   /** A MicroShaderCompileError where a shader did not compile. */
@@ -22,7 +22,7 @@ export class MicroShaderOverrides {
   constructor(readonly registry: MicroShaderRegistry) {}
 
   /**
-   * Puts these texts into the registry, and its own chunks back under all other names.
+   * Registers these texts, and restores the registry's own chunks under all other names.
    * @returns texts that the registry refused; all others are in use
    */
   apply(wanted: ReadonlyMap<string, string>): MicroShaderProblem[] {
@@ -36,7 +36,7 @@ export class MicroShaderOverrides {
       }
     };
     const changed = [...wanted].filter(([name, text]) => applied.get(name) !== text);
-    // new ones first: those that are replaced may depend on them
+    // new chunks first: replaced chunks may include them
     for (const isNew of [true, false]) {
       for (const [name, text] of changed) {
         if (registry.has(name) === isNew || applied.get(name) === text) continue;
@@ -51,14 +51,14 @@ export class MicroShaderOverrides {
     return problems;
   }
 
-  /** Names of chunks, each before those that it needs, where they need one another in no circle. */
+  /** Chunk names, each before the chunks that it includes; in the given order if there is a cycle. */
   private usersFirst(names: readonly string[]): string[] {
     const users = new Map(names.map((name) => [name, 0]));
     const needed = (name: string): string[] =>
       (this.registry.get(name)?.dependencies ?? []).filter((each) => users.has(each));
     for (const name of names) for (const each of needed(name)) users.set(each, users.get(each)! + 1);
     const order = names.filter((name) => users.get(name) === 0);
-    // a list that grows is walked to its end
+    // `order` grows while it is iterated
     for (const name of order) {
       for (const each of needed(name)) {
         const left = users.get(each)! - 1;
@@ -70,8 +70,8 @@ export class MicroShaderOverrides {
   }
 
   /**
-   * Removes texts that are no longer wanted; a chunk must wait for others that depend on it.
-   * @returns names that have to stay
+   * Removes texts that are no longer wanted; a chunk that another includes is removed after that other.
+   * @returns chunks that cannot be removed, with the reason
    */
   private takeOut(wanted: ReadonlyMap<string, string>): Map<string, Error> {
     const refused = new Map<string, Error>();
@@ -98,8 +98,8 @@ export class MicroShaderOverrides {
   }
 
   /**
-   * Puts a text in the place of a chunk that the registry knows.
-   * @throws what `MicroShaderRegistry.replace` throws; nothing has changed then
+   * Replaces the text of a registered chunk.
+   * @throws as `MicroShaderRegistry.replace` does; nothing has changed then
    */
   replace(name: string, text: string): void {
     const before = this.applied.has(name) || this.registry.original(name) ? undefined : this.registry.get(name);
@@ -108,7 +108,7 @@ export class MicroShaderOverrides {
     this.applied.set(name, text);
   }
 
-  /** A chunk as the renderer has it without the scene's text; undefined for one of the scene's own. */
+  /** The renderer's chunk of a name, before the scene's text; undefined for a chunk that only the scene has. */
   originalOf(name: string): MicroShader | undefined {
     const own = this.applied.has(name) ? undefined : this.registry.get(name);
     return this.registry.original(name) ?? this.replaced.get(name) ?? own;

@@ -25,9 +25,8 @@ function element<K extends keyof HTMLElementTagNameMap>(
 }
 
 /**
- * Shows over a canvas what fingers do with a KeyController or CharacterController: a stick where a finger walks, and a
- * button by which characters jump. The button is there on devices with a touch screen, from the first character that
- * can jump on.
+ * Overlays a canvas with touch controls for KeyController and CharacterController: a stick where a finger steers, and,
+ * on devices with a touch screen, a jump button while the scene has a character that can jump.
  */
 export class TouchControls {
   private readonly root = element('div', {
@@ -57,8 +56,8 @@ export class TouchControls {
 
   /**
    * @param canvas - the canvas whose pointer events go to the scene
-   * @param parent - positioned element, as large as the canvas, over which the controls are laid
-   * @param getScene - gives the scene that is played
+   * @param parent - positioned element of the canvas's size, which gets the controls
+   * @param getScene - returns the scene that is played
    * @param jumpLabel - text of the jump button
    */
   constructor(
@@ -84,7 +83,7 @@ export class TouchControls {
     this.update();
   }
 
-  /** Shows or hides the jump button; called where characters may have come or gone. */
+  /** Shows or hides the jump button; called after characters may have been added or removed. */
   update(): void {
     const isTouch = matchMedia('(any-pointer: coarse)').matches;
     this.jump.hidden = !isTouch || this.jumpers().length === 0;
@@ -100,7 +99,7 @@ export class TouchControls {
     return characters.filter((each) => each.isActive && each.keys && each.jumpHeight > 0);
   }
 
-  /** Whether a finger on the left half walks. */
+  /** Whether a finger on the left half of the canvas steers a controller. */
   private get hasStick(): boolean {
     const scene = this.getScene();
     return (
@@ -130,7 +129,7 @@ export class TouchControls {
     this.ring.style.display = 'none';
   }
 
-  /** Puts the knob at a finger's drag (CSS pixels), at most at the ring. */
+  /** Moves the knob by a finger's drag (CSS pixels), limited to the ring. */
   private place(right: number, down: number): void {
     const share = Math.min(1, RING / 2 / Math.max(1, Math.hypot(right, down)));
     this.knob.style.transform = `translate(calc(-50% + ${right * share}px), calc(-50% + ${down * share}px))`;

@@ -33,7 +33,7 @@ vi.mock('@farol/renderer', async (original) => ({
   },
 }));
 
-/** Watches whose elements the test resizes. */
+/** ResizeObservers of elements that the test resizes. */
 const watches = new Set<{ target: Element | null; run: () => void }>();
 
 class FakeResizeObserver {

@@ -66,8 +66,9 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
    */
   rename(from: string, to: string): Map<string, string> {
     const source = this.sources.get(from);
-    if (!source) throw new AssetError(from, 'is unknown: it is gone already.');
-    if (this.isBuiltin(from)) throw new AssetError(from, 'came with Farol, and keeps its name.');
+    if (!source) throw new AssetError(from, 'is not in the library any more: choose another one.');
+    if (this.isBuiltin(from))
+      throw new AssetError(from, 'came with Farol, and keeps its name: choose one of your own.');
     if ('partOf' in source && source.partOf) throw new AssetError(from, `is a part of ${source.partOf}: rename that.`);
     this.checkFree(to);
     const names = new Map([[from, to]]);
@@ -132,7 +133,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
    */
   take(name: string): TakenAsset {
     const source = this.sources.get(name);
-    if (!source) throw new AssetError(name, 'is unknown: it is gone already.');
+    if (!source) throw new AssetError(name, 'is not in the library any more: choose another one.');
     const parts = this.partsOf(name).map((part) => this.take(part));
     const value = this.values.get(name);
     this.unregister(name);

@@ -71,7 +71,7 @@ export abstract class AssetTable {
     return (source && 'partOf' in source && source.partOf) || null;
   }
 
-  /** The assets that came with a model. */
+  /** Names of the assets that are parts of a model. */
   partsOf(name: string): string[] {
     return [...(this.parts.get(name) ?? [])].filter((part) => this.modelOf(part) === name);
   }
@@ -126,17 +126,18 @@ export abstract class AssetTable {
 
   /**
    * Adds or removes a folder; an asset's folder is part of its name, 'Props/robot.glb'.
-   * @throws AssetError for a path that is none
+   * @throws AssetError for an invalid path
    */
   setFolder(path: string, isThere: boolean): void {
-    if (path.split('/').some((part) => part.trim() === '')) throw new AssetError(path, 'is not a folder path.');
+    if (path.split('/').some((part) => part.trim() === ''))
+      throw new AssetError(path, 'needs a name between all /: Props/Lamps.');
     if (this.ownFolders.has(path) === isThere) return;
     if (isThere) this.ownFolders.add(path);
     else this.ownFolders.delete(path);
     this.tell({ kind: 'folder', name: path });
   }
 
-  /** Calls `listener` when an asset is registered, loaded, removed or fails. @returns a function that ends it */
+  /** Calls `listener` when an asset is registered, loaded, removed or fails. @returns function that removes the listener */
   onChange(listener: (change: AssetChange) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -149,7 +150,7 @@ export abstract class AssetTable {
   }
 
   protected checkFree(name: string): void {
-    if (!name) throw new AssetError(name, 'needs a name.');
+    if (!name) throw new AssetError(name, 'needs a name: give it one.');
     if (this.sources.has(name)) throw new AssetError(name, 'is there already: choose another name.');
   }
 

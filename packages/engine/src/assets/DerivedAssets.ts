@@ -17,8 +17,8 @@ export abstract class DerivedAssets extends LoadedAssets {
   protected readonly repeated: Map<string, Map<string, Texture>> = new Map();
 
   /**
-   * A mesh's geometry. When the asset has no normals they are computed, faces that meet at less than `creaseAngle`
-   * (radians) being smooth; each angle is computed once. Of a large mesh that takes seconds: see `prepareMesh`.
+   * A mesh's geometry. Missing normals are computed, smooth across edges of less than `creaseAngle` (radians), once for
+   * each angle. For a large mesh that takes seconds: see `prepareMesh`.
    */
   mesh(name: string, creaseAngle = DEFAULT_CREASE): BufferGeometry {
     return this.normals.get(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
@@ -32,7 +32,7 @@ export abstract class DerivedAssets extends LoadedAssets {
   /**
    * Loads a mesh and computes its normals in slices, so that the page stays responsive; the result is that of `mesh`.
    * @param signal - cancels the wait, and the work when nobody else waits for it
-   * @throws AssetError (as a rejection) when it is no mesh or cannot be loaded; what the signal was aborted with
+   * @throws AssetError (as a rejection) when it is no mesh or cannot be loaded; the signal's abort reason
    */
   prepareMesh(name: string, creaseAngle = DEFAULT_CREASE, signal?: AbortSignal): Promise<BufferGeometry> {
     const prepare = (): Promise<BufferGeometry> =>

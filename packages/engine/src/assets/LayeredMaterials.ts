@@ -26,12 +26,11 @@ export class LayeredMaterials {
   }
 
   /**
-   * A material with a surface over what `source` wears; give it back with `release`.
-   * @param asset - whose text has been good
-   * @param isOwn - for a single user, which writes simulated values
-   * @param before - what the user has for the source: changed in place, and given, where nobody else uses it; else it
-   * is
-   *   still to be given back
+   * A copy of `source` with one more surface on top; pass it to `release` after use.
+   * @param asset - surface whose text has compiled
+   * @param isOwn - true: not shared, since its user writes simulated values
+   * @param before - the user's present copy: changed in place and returned when nobody else uses it; else the caller
+   *   must release it
    */
   acquire(
     source: Material,

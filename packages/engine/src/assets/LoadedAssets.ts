@@ -21,11 +21,11 @@ import { AssetTable, sample } from './AssetTable';
 
 /** Options of the constructor of AssetLibrary. */
 export interface AssetLibraryOptions {
-  /** Addresses of new assets by name, their type told by the ending of the address. */
+  /** Addresses of new assets by name; the extension of an address gives the type. */
   urls?: Readonly<Record<string, string>>;
   /** Reads the bytes of an address; `fetch` when absent. */
   fetchBytes?: FetchBytes;
-  /** Renderer of the assets; asked only for the compressed texture formats of its device. */
+  /** Renderer whose device's compressed texture formats are used; nothing is drawn with it. */
   renderer?: WebGLRenderer;
 }
 
@@ -45,8 +45,8 @@ async function read(
 export abstract class LoadedAssets extends AssetTable {
   /**
    * Origins besides the page's that assets may be fetched from, as `foreignOrigin` writes them; null for any, which is
-   * the default. What leads elsewhere is refused by an AddressRefusedError. The addresses in `options.urls` are the
-   * host's own, and always allowed. See `mayFetch` of `deserialize`.
+   * the default. Other addresses throw an AddressRefusedError. The addresses in `options.urls` are the host's own, and
+   * always allowed. See `mayFetch` of `deserialize`.
    */
   allowedOrigins: ReadonlySet<string> | null = null;
 
@@ -79,7 +79,7 @@ export abstract class LoadedAssets extends AssetTable {
   }
 
   /**
-   * Adds an asset that code makes when it is first needed; it counts as built in.
+   * Adds an asset that `make` creates on first use; it counts as built in.
    * @throws AssetError when the name is taken
    */
   registerMaker(name: string, type: AssetType, make: () => Asset): this {
@@ -92,7 +92,7 @@ export abstract class LoadedAssets extends AssetTable {
   /**
    * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, IES,
    * sounds).
-   * @throws AssetError when the name is taken, or the type cannot be told
+   * @throws AssetError when the name is taken, or the type is unknown
    */
   registerUrl(name: string, url: string, type: AssetType | null = typeOfUrl(url)): this {
     this.checkFree(name);
@@ -111,8 +111,8 @@ export abstract class LoadedAssets extends AssetTable {
    * Adds an asset that is read from the bytes of a file. Its name tells the format: 'robot.glb', 'brick.png',
    * 'sky.hdr', 'door.ogg'. A model brings its meshes, materials and textures along as parts, 'robot.glb/mesh-1-Head',
    * once it is loaded.
-   * @param type - what it is; told by the ending of the name when absent
-   * @throws AssetError when the name is taken, or its ending is none that can be read
+   * @param type - told by the name's ending when absent
+   * @throws AssetError when the name is taken, or its ending is unknown
    */
   registerFile(name: string, file: Blob, type: AssetType | null = typeOfUrl(name)): this {
     this.checkFree(name);
@@ -147,8 +147,8 @@ export abstract class LoadedAssets extends AssetTable {
 
   /**
    * The asset, loaded if need be.
-   * @param signal - of the first who asks: cancels the loading at once, for all who wait for it
-   * @throws AssetError (as a rejection) when it is unknown or cannot be loaded; what the signal was aborted with
+   * @param signal - signal of the first caller, which cancels the loading for all callers
+   * @throws AssetError (as a rejection) when the asset is unknown or cannot be loaded; the signal's abort reason
    */
   load(name: string, signal?: AbortSignal): Promise<Asset> {
     const source = this.sources.get(name);
@@ -194,8 +194,8 @@ export abstract class LoadedAssets extends AssetTable {
   }
 
   /**
-   * Names a part of a model that is not loaded, as a scene needs it whose model was refused: it is there once the model
-   * is.
+   * Registers the name of a part of a model that is not loaded, for scenes whose model was refused; the part becomes
+   * available once the model is loaded.
    * @internal
    */
   registerPart(name: string, type: AssetType, model: string): void {
@@ -222,7 +222,7 @@ export abstract class LoadedAssets extends AssetTable {
     return { own: { file, decoded: new Map() }, all };
   }
 
-  /** @throws AddressRefusedError (as a rejection) before anything is asked for */
+  /** @throws AddressRefusedError (as a rejection) before any request */
   protected async fetchFor(name: string, url: string): Promise<ArrayBuffer> {
     const isAsked = this.allowedOrigins !== null && !this.trusted.has(url);
     const origin = isAsked ? foreignOrigin(url) : null;

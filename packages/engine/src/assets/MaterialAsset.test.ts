@@ -130,7 +130,7 @@ describe('a name', () => {
     const { scene } = shared();
     expect(() => scene.assets.rename('Props/Brick', 'box')).toThrow("'box' is there already");
     expect(() => scene.assets.rename('box', 'crate')).toThrow('came with Farol');
-    expect(() => scene.assets.rename('gone', 'crate')).toThrow('is unknown');
+    expect(() => scene.assets.rename('gone', 'crate')).toThrow('is not in the library any more');
     expect(scene.assets.has('Props/Brick')).toBe(true);
   });
 });

@@ -66,8 +66,8 @@ const lobes = [
 ];
 
 /**
- * A material of a library, made of fields, which any number of objects share: a change of a field shows on all of them.
- * Made by `AssetLibrary.addMaterial`; kept in files.
+ * A material of a library, made of field values, which any number of objects share: changing a field changes all of
+ * them. Made by `AssetLibrary.addMaterial`; kept in files.
  */
 export class MaterialAsset extends FieldAsset {
   static readonly fields = materialAssetFields;

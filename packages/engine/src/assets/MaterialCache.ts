@@ -48,7 +48,7 @@ export class MaterialCache {
     return entry.material;
   }
 
-  /** The material for other values of one of its users: the same one, changed, if nobody else uses it. */
+  /** Material for changed values of a user: the same material, changed in place, when nobody else uses it. */
   change(material: Material, values: MaterialValues): Material {
     const entry = this.byMaterial.get(material);
     const key = JSON.stringify(materialSettings(values));

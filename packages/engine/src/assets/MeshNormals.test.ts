@@ -10,7 +10,7 @@ import { computeCreaseNormals } from '../geometry/computeCreaseNormals';
 import { AssetLibrary } from './AssetLibrary';
 import { MeshNormals } from './MeshNormals';
 
-/** 101,400 corners without normals: too many for one go. */
+/** 101,400 corners without normals: too many for a single slice. */
 function largePlane(): BufferGeometry {
   const plane = new PlaneGeometry(1, 1, 130, 130);
   plane.deleteAttribute('normal');
@@ -19,10 +19,10 @@ function largePlane(): BufferGeometry {
 
 const library = (): AssetLibrary => new AssetLibrary().register('field', largePlane());
 
-/** How often the page had its turn. */
+/** Number of times that the work has yielded to the page. */
 let turns = 0;
 
-// a slice ends after each step, however fast the machine is
+// ends a slice after each step, on machines of any speed
 beforeEach(() => {
   turns = 0;
   vi.spyOn(Slices.prototype, 'areOver', 'get').mockReturnValue(true);
@@ -69,7 +69,7 @@ it('are computed no further once nobody waits for them', async () => {
   const after = turns;
   expect(after).toBeLessThan(50);
   expect(normals.isReady(plane, 0.5)).toBe(false);
-  // asked for again, they begin anew
+  // a new request starts the computation again
   await normals.prepare(plane, 0.5);
   expect(turns).toBeGreaterThan(after + 50);
 });

@@ -41,7 +41,7 @@ export class MeshNormals {
   /**
    * Computes normals like `get`, in slices, so that the page stays responsive.
    * @param signal - cancels the wait, and the work when nobody else waits for it
-   * @throws what the signal was aborted with (as a rejection)
+   * @throws the signal's abort reason (as a rejection)
    */
   prepare(geometry: BufferGeometry, creaseAngle: number, signal?: AbortSignal): Promise<BufferGeometry> {
     if (signal?.aborted) return Promise.reject(signal.reason as Error);

@@ -2,8 +2,8 @@ import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { AnimationClip, BufferGeometry, Material, Object3D, Skeleton, Texture } from 'three';
 
 /**
- * A tree of three objects that was read from a file, with its animations: what a glTF holds. It is never in a scene
- * itself.
+ * A tree of three objects that was read from a file such as a glTF, with its animations. The tree itself is never in a
+ * scene; copies are.
  */
 export class Model {
   readonly isModel = true;
@@ -47,9 +47,7 @@ export class Model {
   }
 }
 
-/**
- * A clip that came with a model: part of it in a library, 'robot.glb/clip-1-Walk'. Its tracks name nodes of the model.
- */
+/** A clip of a model, a part of it in a library: 'robot.glb/clip-1-Walk'. Its tracks name nodes of the model. */
 export class ModelClip {
   readonly isModelClip = true;
 

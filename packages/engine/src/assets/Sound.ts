@@ -11,7 +11,7 @@ export class Sound {
 
   /**
    * @param bytes - MP3, Ogg, WAV, M4A or FLAC, where the browser decodes it
-   * @param reserve - told the bytes of the samples before they are decoded; what it throws refuses them
+   * @param reserve - called with the size of the samples (bytes) before they are decoded; throws to refuse them
    */
   constructor(
     readonly bytes: ArrayBuffer,
@@ -26,7 +26,7 @@ export class Sound {
   /**
    * Decodes the bytes, once.
    * @returns the samples; null where there is no Web Audio, such as in Node
-   * @throws Error (as a rejection) when the browser cannot, or when they would take absurd memory
+   * @throws Error (as a rejection) when the browser cannot decode the bytes, or `reserve` refuses the samples
    */
   decode(): Promise<AudioBuffer | null> {
     this.decoding ??= this.read();

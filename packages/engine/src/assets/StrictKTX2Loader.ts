@@ -3,8 +3,8 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 type Wired = Readonly<Record<string, (...args: unknown[]) => unknown>>;
 
 /**
- * Stands in for `Function` in the transcoder's worker, whose bindings (Emscripten's embind) write their callers as text: it
- * reads from the text what the caller does, and gives one that does the same. Known outside of the worker by its text only.
+ * Replaces `Function` in the transcoder's worker, whose bindings (Emscripten's embind) generate callers as text: it
+ * parses the text and returns an equivalent closure. The worker gets the source text of this function.
  */
 function withoutEval(): void {
   const original = globalThis.Function;
@@ -81,7 +81,7 @@ export class StrictKTX2Loader extends KTX2Loader {
     return this.transcoderPending;
   }
 
-  /** Puts what stands in for `Function` before the worker's text. */
+  /** Prepends `withoutEval` to the worker's text. */
   private async makeStrict(): Promise<void> {
     const before = this.workerSourceURL;
     const text = await (await fetch(before)).text();

@@ -19,7 +19,7 @@ void displace(inout VertexData v) { v.positionOS.y += height * v.time; }
 void surface(inout SurfaceData s) { s.color = rimColor; }
 `;
 
-/** A box that wears the surface 'Waves' by the material 'Sea'. */
+/** A box with the material 'Sea', whose surface is 'Waves'. */
 function worn() {
   const scene = new Scene();
   const { assets } = scene;
@@ -77,7 +77,7 @@ describe('a material that wears a surface', () => {
     expect(waves.problem?.message).toContain('"mat4" uniforms cannot be set');
     expect(failures).toHaveLength(1);
     expect(uniforms().height.value).toBe(0.5);
-    // the fields are those of the text, whatever it was before
+    // the fields depend on the present text alone
     expect(Object.keys(sea.fields).filter((name) => name.startsWith('surface.'))).toEqual([]);
     sea.set('roughness', 0.1);
     expect(uniforms().height.value).toBe(0.5);

@@ -19,8 +19,8 @@ export interface SurfaceHost extends FieldAssetHost {
 }
 
 /**
- * A surface of a library: GLSL that materials wear, which changes position, normal, colour, roughness, metalness and
- * emissive light. A text that cannot be used leaves the last good one in use.
+ * A surface of a library: GLSL on top of materials, which changes position, normal, colour, roughness, metalness and
+ * emissive light. While a text cannot be compiled, the last good one stays in use.
  */
 export class SurfaceAsset extends DataAsset {
   static readonly fields = surfaceFields;

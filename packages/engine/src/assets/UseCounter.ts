@@ -3,7 +3,7 @@ interface Disposable {
   dispose(): void;
 }
 
-/** Counts the users of shared geometries and textures, and frees their GPU memory when the last one is gone. */
+/** Counts the users of shared geometries and textures, and frees their GPU memory when there are no more. */
 export class UseCounter {
   private readonly counts = new Map<Disposable, number>();
 

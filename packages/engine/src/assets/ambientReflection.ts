@@ -18,8 +18,8 @@ function reflect(this: Material, shader: WebGLProgramParametersWithUniforms): vo
 export const hasAmbientReflection = (material: Material): boolean => material.onBeforeCompile === reflect;
 
 /**
- * Gives a material a colour of its own under ambient light (the ambient reflection of the thesis): a factor of what
- * three's has there, and of the ambient colours of lights, linear. White is as in three, and costs nothing.
+ * Sets a material's reflectance of ambient light (the thesis's ambient reflection; linear colour), a factor of three's
+ * ambient light and of the ambient colours of lights. White equals three, and costs nothing.
  */
 export function setAmbientReflection(material: Material, [r, g, b]: readonly [number, number, number]): void {
   if (r === 1 && g === 1 && b === 1) {

@@ -17,7 +17,7 @@ import { readGltfJson } from '../guard/gltf/readGltfJson';
 const bytesOf = (text: string): ArrayBuffer => new TextEncoder().encode(text).buffer as ArrayBuffer;
 const latin = (text: string): ArrayBuffer => Uint8Array.from(text, (letter) => letter.charCodeAt(0)).buffer;
 
-/** A triangle below a node, red, with an animation that takes it along x: two nodes of one mesh. */
+/** A red triangle on two nodes of one mesh, with an animation along x. */
 const gltf = {
   asset: { version: '2.0' },
   scene: 0,
@@ -181,7 +181,7 @@ describe('a container', () => {
     const copy = await deserialize(JSON.stringify(file));
     expect(copy.find('Left')!.getComponent(ObjectRenderer)!.three).not.toBeNull();
     expect(serialize(copy).objects).toEqual(file.objects);
-    // what came inside stays inside
+    // assets inside the file stay inside
     expect((await inlineAssets(containerContent(copy))).assets).toEqual(file.assets);
   });
 
@@ -290,7 +290,7 @@ test('an asset whose name has no ending is what the file says, as bytes in it an
   const again = await deserialize(packed.text, { fileOf: packed.fileOf });
   expect(again.assets.typeOf('own')).toBe('mesh');
   expect(serialize(again)).toEqual(serialize(scene));
-  // an ending that says otherwise is still a mistake
+  // a contradicting file extension is still an error
   file.assets = [{ ...file.assets[0], name: 'own.png' }];
   values.mesh = 'own.png';
   await expect(deserialize(file)).rejects.toThrow('says mesh, but its name is that of a texture');

@@ -4,7 +4,7 @@ export type FileMap = ReadonlyMap<string, File>;
 /** All files of a drop, folders with everything in them. */
 export async function collectFiles(transfer: DataTransfer): Promise<FileMap> {
   const files = new Map<string, File>();
-  // The items are gone after the first await: take them all before.
+  // The items are cleared after the first await, so all are read before.
   const entries: FileSystemEntry[] = [];
   for (const item of transfer.items) {
     const entry = item.kind === 'file' ? item.webkitGetAsEntry?.() : null;
@@ -24,7 +24,7 @@ async function addEntry(entry: FileSystemEntry, files: Map<string, File>): Promi
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   for (;;) {
-    // A reader gives at most 100 entries at a time, and none when it is done.
+    // A reader returns at most 100 entries at a time, and none at the end.
     const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
     if (batch.length === 0) return;
     for (const child of batch) await addEntry(child, files);

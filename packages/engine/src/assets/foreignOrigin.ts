@@ -1,12 +1,12 @@
 import { shortText } from '@farol/editing';
 import { AssetError } from './AssetError';
 
-/** Base of relative addresses where there is no page, as in Node. */
+/** Base of relative addresses without a page, as in Node. */
 const NOWHERE = 'http://here.invalid/';
 
 /**
- * The origin of an address that leads away from the page: 'https://example.com', or scheme and host where there is no
- * origin, 'file://server'. Null for what is beside the page, `data:` and `blob:`, and for what is no address at all.
+ * The origin of an address, if it differs from the page's: 'https://example.com', or scheme and host if there is no
+ * origin, 'file://server'. Null for the page's own origin, `data:`, `blob:` and invalid addresses.
  * @param base - address of the page; the document's when absent
  */
 export function foreignOrigin(url: string, base: string = globalThis.document?.baseURI ?? NOWHERE): string | null {
@@ -24,7 +24,7 @@ export function foreignOrigin(url: string, base: string = globalThis.document?.b
   return origin === 'null' ? `${protocol}//${host}` : origin;
 }
 
-/** An asset that was not fetched, since its address leads to where the scene may not go. */
+/** Error for an asset that was not fetched, since the scene may not use the origin of its address. */
 export class AddressRefusedError extends AssetError {
   /** @param origin - see `foreignOrigin` */
   constructor(

@@ -33,7 +33,7 @@ export function lightExtrasOf(light: Light, hasOwnColour = false): LightExtras |
   };
 }
 
-/** Gives the lights of a model that was read back what their extras say, as far as that can be used. */
+/** Restores the lights of a loaded model from their extras; invalid extras are ignored. */
 export function restoreLights(scene: Object3D): void {
   scene.traverse((object) => {
     const light = object as Light;

@@ -15,8 +15,8 @@ function textOfData(uri: string): string | null {
 }
 
 /**
- * Lights of a glTF that have a photometric profile: each becomes a PointLight below its node, turned so that it hangs as
- * `setLightOptions` has it, with the profile's candelas.
+ * Lights of a glTF that have a photometric profile: each becomes a PointLight below its node, in the orientation that
+ * `setLightOptions` expects, with the profile's candelas.
  * @see EXT_lights_ies
  */
 export class LightsIes implements GLTFLoaderPlugin {

@@ -10,7 +10,7 @@ export interface FetchOptions {
    * redirects to a third origin are refused.
    */
   readonly isLimited?: boolean;
-  /** Whether redirects to another origin are refused, as for addresses beside the page that a scene names. */
+  /** Whether redirects to another origin are refused, as for addresses of the page's origin in a scene. */
   readonly staysHere?: boolean;
 }
 
@@ -38,18 +38,16 @@ export async function fetchBytes(
   } catch (cause) {
     const refuses = isLimited ? ', refuses other pages,' : staysHere ? ',' : '';
     const reason = refuses && `${refuses} or sends on to another address`;
-    throw new Error(`${address} cannot be reached${reason}.`, { cause });
+    throw new Error(`${address} cannot be reached${reason}: check the address.`, { cause });
   }
   if (!response.ok) throw new Error(`${address} answered ${response.status} ${shortText(response.statusText)}`.trim());
   return response.arrayBuffer();
 }
 
-/** The part of an address that names a file, in small letters. */
+/** Path of a URL without query and fragment, in lower case. */
 export const pathOf = (url: string): string => url.split(/[?#]/)[0].toLowerCase();
 
-/**
- * The type of asset that an address or a file name stands for, by its ending; null when it is none that can be read.
- */
+/** Asset type of an address or file name, by its extension; null for an unknown extension. */
 export function typeOfUrl(url: string): FileAssetType | null {
   const path = pathOf(url);
   if (/\.(glb|gltf)$/.test(path)) return 'model';

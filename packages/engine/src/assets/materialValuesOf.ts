@@ -58,8 +58,8 @@ function allowed(name: string, value: FieldValue): FieldValue {
 }
 
 /**
- * The fields of a MaterialAsset that looks as a material of three's does; those that have their default are left out.
- * @param nameOf - name of a texture in the library; null where it has none, and the map is left out
+ * Field values for a MaterialAsset that looks like a material of three's; defaults are left out.
+ * @param nameOf - returns a texture's name in the library; null leaves the map out
  * @returns null for a material that no fields can describe, such as a shader
  */
 export function materialValuesOf(

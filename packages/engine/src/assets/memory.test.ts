@@ -6,7 +6,7 @@ import { AssetLibrary } from './AssetLibrary';
 import { readModel } from './readModel';
 import type { Sound } from './Sound';
 
-/** The head of a PNG; a last number makes its bytes others'. */
+/** The header of a PNG; `salt` makes its bytes unique. */
 function png(width: number, height: number, salt = 0): Blob {
   const bytes = new Uint8Array(64);
   bytes.set([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52]);
@@ -25,7 +25,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.unstubAllGlobals());
 
-/** How the loading of each asset ended: '' or what was said. */
+/** Result of loading each asset: '' or the error's message. */
 const outcomes = (library: AssetLibrary, names: readonly string[]): Promise<string[]> =>
   Promise.all(
     names.map((name) =>
@@ -47,7 +47,7 @@ describe('the pictures of a library', () => {
     expect(said.filter((each) => each === '')).toHaveLength(4);
     expect(said.filter((each) => REFUSED.test(each))).toHaveLength(8);
     expect(decode).toHaveBeenCalledTimes(4);
-    // what is taken out leaves room
+    // removing one asset makes room
     library.unregister(twelve[said.indexOf('')]);
     expect(await outcomes(library, [twelve[said.findIndex((each) => each !== '')]])).toEqual(['']);
   });
@@ -159,7 +159,7 @@ test('sounds are counted together before they are decoded', async () => {
       readonly decodeAudioData = decodeAudioData;
     },
   );
-  // 8 kbit/s, 8,000 Hz: 1.1 MB become 415 MB
+  // 8 kbit/s at 8,000 Hz: 1.1 MB decode to 415 MB
   const mp3 = new Uint8Array(72 * 15_000);
   for (let at = 0; at < mp3.length; at += 72) mp3.set([0xff, 0xe3, 0x18, 0x40], at);
   const library = new AssetLibrary();

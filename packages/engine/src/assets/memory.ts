@@ -24,8 +24,8 @@ export function geometriesOf(object: Object3D): Set<BufferGeometry> {
 }
 
 /**
- * Counts what a part of an asset takes among all of its library.
- * @throws PixelsError when it would be too much, before it is decoded: it is not counted then
+ * Adds a part of an asset to the memory account of its library, before the part is decoded.
+ * @throws PixelsError when the library would exceed its limit; the part is not counted then
  */
 export function reserve({ memory }: ReadOptions, content: string, bytes: number): void {
   if (!memory) return;
@@ -68,9 +68,9 @@ async function equalTexture(all: Iterable<AssetMemory>, content: string): Promis
 }
 
 /**
- * Reads a texture: where another asset of the library has the same bytes, its picture is not decoded again.
- * @param kind - tells apart what is read from the same bytes in another way
- * @throws PixelsError (as a rejection) when it would be too much, before it is decoded
+ * Reads a texture; an image with the same bytes as one of another asset of the library is not decoded again.
+ * @param kind - distinguishes textures read in different ways from equal bytes
+ * @throws PixelsError (as a rejection) when the library would exceed its limit, before decoding
  */
 export async function readOnce(
   bytes: ArrayBuffer,

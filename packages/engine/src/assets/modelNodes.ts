@@ -2,7 +2,7 @@ import type { Object3D } from 'three';
 
 /** Nodes of a model that are drawn together, and the node that they are placed by. */
 export interface ModelSubtree {
-  /** The node itself where there is one, else the nearest node above all of them. */
+  /** The node itself if there is one, else the nearest common ancestor. */
   readonly root: Object3D;
   /** Chosen nodes of a model; none is below another one. */
   readonly nodes: readonly Object3D[];
@@ -14,7 +14,7 @@ export interface ModelSubtree {
 
 const nameOf = (node: Object3D): string => encode(node.name || node.type);
 
-/** Escapes the characters that paths are made of in a name. */
+/** Escapes the characters in a name that have a meaning in paths. */
 const encode = (name: string): string =>
   name.replaceAll(/[%/;#]/g, (letter) => `%${letter.charCodeAt(0).toString(16)}`);
 

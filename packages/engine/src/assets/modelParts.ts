@@ -3,8 +3,8 @@ import { type Asset, assetTypeOf } from './Asset';
 import { type Model, texturesOf } from './Model';
 
 /**
- * The meshes, materials, textures, clips and profiles of a model that can be used by themselves, each once, with the names that they get:
- * 'robot.glb/mesh-1-Head'. The same file gives the same names each time.
+ * Names the meshes, materials, textures, clips and profiles of a model that can be used separately, each once:
+ * 'robot.glb/mesh-1-Head'. Equal files give equal names.
  * @param prefix - name of the model
  */
 export function modelParts(model: Model, prefix: string): Map<Asset, string> {

@@ -45,7 +45,7 @@ async function readPicture(bytes: ArrayBuffer, kind: string, options: ReadOption
 
 /**
  * Reads an asset from the bytes of its file.
- * @param path - address or name: what follows its last dot says which format it is
+ * @param path - address or name, whose extension gives the format
  * @throws Error that says what is wrong with the bytes
  */
 export async function readAsset(

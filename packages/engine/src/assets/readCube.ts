@@ -5,7 +5,7 @@ import { ClampToEdgeWrapping, DataTexture, LinearFilter, NoColorSpace } from 'th
 const MOST = 128;
 
 /**
- * Reads a table of colours (LUT) in Adobe's .cube format, as an image of its slices in a row, which grading takes.
+ * Reads a colour table (LUT) in Adobe's .cube format as an image of its slices in a row, the form that grading expects.
  * @throws Error that says what is wrong with the text
  * @see Adobe 2013, Cube LUT Specification 1.0
  */

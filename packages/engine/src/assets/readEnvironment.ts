@@ -11,7 +11,7 @@ async function readExr(bytes: ArrayBuffer): Promise<Texture> {
 }
 
 /**
- * Reads an equirectangular picture of linear light. The loader is fetched when it is first needed.
+ * Reads an equirectangular picture of linear light. The loader is fetched on first use.
  * @throws Error that says what is wrong with the bytes
  */
 export async function readEnvironment(bytes: ArrayBuffer, format: 'HDR' | 'EXR'): Promise<Texture> {

@@ -3,7 +3,7 @@ import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import { expect, test } from 'vitest';
 import { readEnvironment } from './readEnvironment';
 
-/** Pixels as Radiance keeps them: red, green, blue and exponent. */
+/** Pixel in the format of Radiance: red, green, blue and exponent. */
 type Pixel = readonly [number, number, number, number];
 
 const bytesOf = (head: string, ...rows: readonly number[][]): ArrayBuffer =>
@@ -14,7 +14,7 @@ const head = (size: string, format = 'FORMAT=32-bit_rle_rgbe\n'): string => `#?R
 const pixelsOf = (width: number, height: number): Pixel[] =>
   Array.from({ length: width * height }, (_, i) => [128 + (i % 100), i % 7, (i >> 3) % 200, 128 + (i % 5)]);
 
-/** A row in run lengths: red, then green, blue and exponents. */
+/** A row in run lengths: all red values, then green, blue and exponents. */
 function packedRow(pixels: readonly Pixel[]): number[] {
   const bytes = [2, 2, pixels.length >> 8, pixels.length & 255];
   for (let channel = 0; channel < 4; channel++) {
@@ -38,7 +38,7 @@ interface Image {
   readonly data: Uint16Array;
 }
 const read = async (bytes: ArrayBuffer): Promise<Image> => (await readEnvironment(bytes, 'HDR')).image as Image;
-/** Red of each pixel, as Radiance means it. */
+/** Red of each pixel, decoded. */
 const redOf = ({ data }: Image): number[] =>
   Array.from({ length: data.length / 4 }, (_, i) => DataUtils.fromHalfFloat(data[i * 4]));
 const light = ([red, , , exponent]: Pixel): number => (red * 2 ** (exponent - 128)) / 255;

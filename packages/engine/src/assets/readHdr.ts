@@ -20,7 +20,7 @@ interface HdrHeader {
   readonly end: number;
 }
 
-/** Reads the text header. @throws Error when the header is incomplete, or tells another format of colours */
+/** Reads the text header. @throws Error when the header is incomplete, or states another colour format */
 function readHeader(bytes: Uint8Array): HdrHeader {
   let at = 0;
   const readLine = (): string => {

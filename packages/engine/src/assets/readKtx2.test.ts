@@ -36,7 +36,7 @@ function ktx2(orientation: string | null, { depth = 0, cut = Infinity } = {}): U
   return bytes.slice(0, cut);
 }
 
-/** Stands for a device that takes no compressed format. */
+/** Stands for the renderer of a device without compressed formats. */
 const renderer = { isWebGPURenderer: true, hasFeature: () => false } as never;
 
 async function load(bytes: Uint8Array<ArrayBuffer>, name = 'wall.ktx2', options: object = { renderer }) {

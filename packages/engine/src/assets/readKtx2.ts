@@ -4,9 +4,9 @@ import type { ReadOptions } from './loadAsset';
 import { makeKTX2Loader } from './makeKTX2Loader';
 
 /**
- * Reads a KTX2 (Basis Universal, or a format of the device) as a texture. Its blocks stay compressed, so they cannot be
- * turned: rows from the top down, as most tools write them, are turned by the texture's own place.
- * @throws Error that says what is wrong with the bytes, or that there is no device to ask for its formats
+ * Reads a KTX2 (Basis Universal, or a format of the device) as a texture. Its blocks stay compressed and cannot be
+ * flipped: top-down rows, which most tools write, are flipped by the texture's UV transform.
+ * @throws Error that says what is wrong with the bytes, or that there is no renderer to tell the device's formats
  */
 export async function readKtx2(bytes: ArrayBuffer, { renderer, signal }: ReadOptions): Promise<Texture> {
   const view = new DataView(bytes);

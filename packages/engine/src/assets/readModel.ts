@@ -12,7 +12,7 @@ import { Model } from './Model';
 import type { LightsIes } from './lightsIes';
 import { binaryOf, type GltfJson, lightProfilesOf, LIGHTS_IES, readGltfJson } from '../guard/gltf/readGltfJson';
 
-/** A GLTFLoader with the decoders that a file asks for; each is fetched when a file first uses it. */
+/** Makes a GLTFLoader with the decoders that a file needs; each is fetched on first use. */
 async function loaderFor(
   extensions: readonly string[],
   renderer: WebGLRenderer | null,
@@ -60,7 +60,7 @@ const isData = (uri: unknown): uri is string => typeof uri === 'string' && /^dat
 const dataSize = (uri: string): number | null =>
   isData(uri) ? Math.ceil(((uri.length - uri.indexOf(',') - 1) * 3) / 4) : null;
 
-/** The pictures that are in a file, as bytes: each as often as it is decoded. */
+/** Encoded pictures embedded in a file; one that several images use is repeated, as it is decoded for each. */
 function* picturesOf(json: GltfJson, binary: Uint8Array | null): Generator<Uint8Array> {
   const buffers = new Map<number, Uint8Array | null>();
   const bufferOf = (index: number): Uint8Array | null => {
@@ -80,11 +80,11 @@ function* picturesOf(json: GltfJson, binary: Uint8Array | null): Generator<Uint8
 }
 
 /**
- * Checks a glTF before it is given to a loader: see `checkGltf`.
- * @param json - what `readGltfJson` made of the bytes
- * @param sizeOf - bytes of a file beside it; null when it is not known
- * @returns bytes that its pictures take once decoded
- * @throws Error that says what is wrong with it, in one sentence
+ * Checks a glTF before a loader reads it: see `checkGltf`.
+ * @param json - result of `readGltfJson`
+ * @param sizeOf - returns the size (bytes) of a file that the glTF names; null when unknown
+ * @returns decoded size of the pictures (bytes)
+ * @throws Error that says in one sentence what is wrong with the glTF
  */
 export function checkModelFile(
   bytes: ArrayBuffer,
@@ -100,7 +100,7 @@ export function checkModelFile(
 }
 
 /**
- * For `loader.register`: a file without scenes, which glTF allows, is shown as all that it holds.
+ * For `loader.register`: gives a file without scenes, which glTF allows, one scene of all its nodes.
  * @see glTF 2.0, 3.5.1
  */
 export function showWhole({ json }: GLTFParser): { name: string } {
@@ -116,7 +116,7 @@ export function showWhole({ json }: GLTFParser): { name: string } {
   return { name: 'FAROL_whole_file' };
 }
 
-/** Members of a glTF that tell whether it shows anything. */
+/** Members of a glTF that decide whether it has anything to draw. */
 interface GltfContent {
   readonly meshes?: readonly object[];
   readonly scenes?: readonly object[];
@@ -128,16 +128,16 @@ export function modelError(cause: unknown): Error {
   const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
   if (cause instanceof Error && said.endsWith(' export it again.')) return cause;
   const reason = shortText(said, 160);
-  // three has come upon what it does not expect; whether the file is to blame is not known, since it passed the checks
+  // an error inside three's loader: the file has passed the checks, so it may not be to blame
   const isRaw = cause instanceof TypeError || cause instanceof RangeError;
   if (isRaw) return new Error(`three's loader cannot read it (${reason}): export it again.`, { cause });
   return new Error(`its glTF data are damaged or cut short (${reason}): export it again.`, { cause });
 }
 
 /**
- * Reads a glTF of one file: a GLB, or a .gltf with its data inside.
- * When the reading is cancelled nothing of it was drawn, so that nothing has to be given back.
- * @throws Error that says what is wrong with the bytes; what the signal was aborted with
+ * Reads a glTF of one file: a GLB, or a .gltf with its data inside. A cancelled read has drawn nothing, so there is no
+ * GPU memory to free.
+ * @throws Error that says what is wrong with the bytes; the signal's abort reason
  */
 export async function readModel(bytes: ArrayBuffer, options: ReadOptions = {}): Promise<Model> {
   const { renderer = null, signal } = options;

@@ -34,8 +34,8 @@ export const surfaceValueFields = {
 const AXES = ['x', 'y', 'z', 'w'];
 
 /**
- * The fields of the uniforms that a surface declares. Their values lie in `surfaceValues` of the material, textures in
- * `surfaceMap1` and on. Vectors of two and four numbers are a field each number; textures after the fourth have none.
+ * Fields for the uniforms that a surface declares. Values are stored in the material's `surfaceValues`, textures in
+ * `surfaceMap1` to `surfaceMap4`. A vec2 or vec4 gets a field for each component; a fifth texture gets none.
  */
 export function uniformFieldsOf(uniforms: readonly SurfaceUniform[]): FieldTable {
   const fields: Record<string, Field> = {};

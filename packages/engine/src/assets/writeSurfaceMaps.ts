@@ -10,10 +10,10 @@ export interface TextureHost {
 }
 
 /**
- * Writes the textures of a surface to its uniforms: those of the library that are loaded, else what the surface has by
- * itself.
+ * Writes the textures of a surface to its uniforms: textures of the library that are loaded, else the surface's
+ * defaults.
  * @param maps - names in the order in which the surface declares its textures; null for none
- * @param again - called when one is there that was still to be loaded
+ * @param again - called once a missing texture is loaded
  */
 export function writeSurfaceMaps(
   code: Awaited<ReturnType<typeof loadSurfaceCode>>,

@@ -27,7 +27,8 @@ describe('sun and moon are where almanacs have them', () => {
     expect(apart([194.34024, 90 - 50.11162], place)).toBeLessThan(0.02);
   });
 
-  // azimuth and apparent elevation of sun and moon, and the moon's lit part, of VSOP87 and a full lunar theory (PyEphem 4)
+  // azimuth and apparent elevation of sun and moon, and the moon's lit part, by VSOP87 and a full lunar theory (PyEphem
+  // 4)
   test.each([
     ['London', 51.5, -0.13, [2024, 6, 20, 12], [178.915, 61.942], [39.965, -60.667], 0.9712],
     ['Quito', -0.18, -78.47, [2024, 3, 20, 15.5], [89.221, 62.218], [38.301, -61.679], 0.8178],

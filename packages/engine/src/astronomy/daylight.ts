@@ -1,10 +1,10 @@
 const RADIANS = Math.PI / 180;
 
-/** Air between an elevation (rad, above -2°) and space, 1 at the zenith. @see Kasten and Young 1989 */
+/** Relative air mass at an elevation (rad, above -2°): 1 at the zenith. @see Kasten and Young 1989 */
 const airMass = (elevation: number): number =>
   1 / (Math.sin(Math.max(0, elevation)) + 0.50572 * (Math.max(0, elevation) / RADIANS + 6.07995) ** -1.6364);
 
-/** Share of the sun's or the moon's disc that is above the horizon: it sets within half a degree. */
+/** Share of the sun's or the moon's disc that is above the horizon; the disc is half a degree wide. */
 const above = (elevation: number): number => Math.min(1, Math.max(0, 0.5 + elevation / (0.53 * RADIANS)));
 
 /**
@@ -50,7 +50,7 @@ export function moonIlluminance(elevation: number, phaseAngle: number): number {
   return outside * 10 ** (-0.4 * 0.172 * airMass(elevation)) * above(elevation);
 }
 
-/** Colour temperature (K) of sunlight, about: 2,000 at the horizon, 5,700 when it stands high. */
+/** Approximate colour temperature (K) of sunlight: 2,000 at the horizon, 5,700 high in the sky. */
 export const sunKelvin = (elevation: number): number =>
   2000 + 3700 * (1 - Math.exp(-Math.max(0, elevation) / (12 * RADIANS)));
 

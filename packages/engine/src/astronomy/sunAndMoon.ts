@@ -1,8 +1,8 @@
 /** A place in the sky, seen from the ground (rad). */
 export interface SkyPlace {
-  /** From north by east, 0 to 2π. */
+  /** Angle from north, increasing towards east, 0 to 2π. */
   readonly azimuth: number;
-  /** Above the horizon, as refraction of the air lifts it. */
+  /** Angle above the horizon, raised by atmospheric refraction. */
   readonly elevation: number;
 }
 
@@ -74,7 +74,7 @@ const moonParallax: readonly Term[] = [
 const refraction = (elevation: number): number =>
   elevation < -1 ? 0 : 1.02 / 60 / Math.tan((elevation + 10.3 / (elevation + 5.11)) * RADIANS);
 
-/** Place in the sky of ecliptic coordinates. @param parallax - horizontal, of what is near (degrees) */
+/** Converts ecliptic coordinates to a place in the sky. @param parallax - horizontal (degrees); 0 for a distant body */
 function placeOf(
   { longitude, latitude, parallax }: { longitude: number; latitude: number; parallax: number },
   day: number,
@@ -92,7 +92,7 @@ function placeOf(
   const up = sin(north) * sin(declination) + cos(north) * cos(declination) * cos(hour);
   const east = -cos(declination) * sin(hour);
   const toNorth = sin(declination) * cos(north) - cos(declination) * cos(hour) * sin(north);
-  // seen from the ground, what is near stands lower than from the middle of the earth
+  // a near body appears lower from the surface than from the centre of the earth
   const elevation = Math.atan2(up - sin(parallax), Math.hypot(east, toNorth));
   return {
     azimuth: (Math.atan2(east, toNorth) + 2 * Math.PI) % (2 * Math.PI),

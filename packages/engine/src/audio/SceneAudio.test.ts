@@ -9,7 +9,7 @@ import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { audioOutput } from './audioOutput';
 
-/** A value of Web Audio that takes what it is told at once. */
+/** An AudioParam that takes each value at once. */
 class Param {
   value = 0;
   setTargetAtTime(value: number): void {
@@ -33,7 +33,7 @@ interface FakeSource {
 
 let begun: FakeSource[] = [];
 let contexts = 0;
-/** The numbers of a PannerNode that a source's fields set. */
+/** Values of a PannerNode that a source's fields set. */
 interface FakePanner {
   readonly distanceModel: string;
   readonly refDistance: number;
@@ -182,7 +182,7 @@ test('plays on start from where the object is, ends, and makes no context before
 });
 
 test.each([
-  // a linear fall-off ends at the range, whatever the other fall-offs roll off by
+  // linear fall-off ends at the range, and ignores the roll-off of the others
   [{ falloff: 'linear', referenceDistance: 2, maxDistance: 9, rolloff: 3 }, ['linear', 2, 9, 1]],
   [{ falloff: 'linear', referenceDistance: 5, maxDistance: 4, rolloff: 3 }, ['linear', 5, 5.001, 1]],
   [{ falloff: 'inverse', referenceDistance: 2, maxDistance: 9, rolloff: 3 }, ['inverse', 2, 9, 3]],
@@ -199,7 +199,7 @@ test.each([
   expect(numbers()).toEqual(expected);
   const [, gain] = gains;
   expect([gain.gain.value, begun[0].playbackRate.value, begun[0].loop]).toEqual([0.5, 2, true]);
-  // edits are heard while it plays
+  // edits take effect during playback
   for (const [field, value] of Object.entries({ volume: 0.25, playbackRate: 0.5, loop: false, referenceDistance: 3 }))
     source.set(field, value);
   frames(1);

@@ -36,7 +36,7 @@ function putAt(panner: PannerNode, { elements }: Matrix4): void {
   panner.positionZ.value = elements[14];
 }
 
-/** Makes the AudioSources of a scene heard, by three's audio. It follows what they say; they do not know of it. */
+/** Plays the AudioSources of a scene by three's audio. It reads their state in each frame; they do not refer to it. */
 export class SceneAudio implements SceneSystem {
   readonly order = 900;
 
@@ -66,7 +66,7 @@ export class SceneAudio implements SceneSystem {
       isPlaying ||= source.isPlaying;
     }
     this.dropVoices();
-    // the scene was put at a time: it does not go on from there
+    // the scene was moved to a time and does not advance
     if (!isPlaying || deltaSeconds === 0 || !audioOutput.mayBeHeard(this.listener?.context ?? null)) return;
     const listener = (this.listener ??= makeListener());
     if (listener.context.state === 'suspended') listener.context.resume().catch(() => {});
@@ -74,7 +74,7 @@ export class SceneAudio implements SceneSystem {
     for (let i = 0; i < sources.length; i++) if (sources[i].isPlaying) this.hear(sources[i], listener);
   }
 
-  /** Silences all voices; the next `update` restarts them at the position that the scene's time gives. */
+  /** Silences all voices; the next `update` restarts them at the position for the scene's time. */
   pause(): void {
     for (const source of this.voices.keys()) this.silence(source);
   }
@@ -90,7 +90,7 @@ export class SceneAudio implements SceneSystem {
     this.listener = null;
   }
 
-  /** Whether a source has come to the end of its sound, heard or not. */
+  /** Whether a source has reached the end of its sound, heard or not. */
   private isAtEnd(source: HeardSource): boolean {
     if (source.loop) return false;
     const buffer = bufferOf(source, this.scene.assets);

@@ -1,10 +1,12 @@
-/** The page's one way to be heard: browsers keep it shut until the user has pressed something. */
+import { Signal } from '@farol/editing';
+
+/** Audio output of the page, which browsers block until the user's first press. */
 class AudioOutput {
   private isMuted = false;
   private isHeldBack = false;
-  private readonly listeners = new Set<() => void>();
+  private readonly changed = new Signal();
 
-  /** Whether every sound of every scene is silent; they go on. */
+  /** Whether all sounds of all scenes are muted; they continue silently. */
   get muted(): boolean {
     return this.isMuted;
   }
@@ -12,19 +14,16 @@ class AudioOutput {
   set muted(muted: boolean) {
     if (muted === this.isMuted) return;
     this.isMuted = muted;
-    this.tell();
+    this.changed.emit();
   }
 
-  /** Whether a sound would be heard, had the user pressed anything yet. */
+  /** Whether a sound is blocked until the user's first press. */
   get isWaiting(): boolean {
     return this.isHeldBack;
   }
 
-  /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that ends it */
-  onChange(listener: () => void): () => void {
-    this.listeners.add(listener);
-    return () => this.listeners.delete(listener);
-  }
+  /** Calls `listener` when `muted` or `isWaiting` changes. @returns a function that removes the listener */
+  readonly onChange = this.changed.subscribe;
 
   /**
    * @internal Whether an AudioContext may be made and heard; if not yet, waits for the user's first press.
@@ -41,11 +40,7 @@ class AudioOutput {
   private hold(isHeldBack: boolean): void {
     if (isHeldBack === this.isHeldBack) return;
     this.isHeldBack = isHeldBack;
-    this.tell();
-  }
-
-  private tell(): void {
-    for (const listener of this.listeners) listener();
+    this.changed.emit();
   }
 }
 

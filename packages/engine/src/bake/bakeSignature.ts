@@ -16,7 +16,9 @@ const without: Readonly<Record<string, readonly string[]>> = {
   ],
 };
 
-/** Fields of a Light that older bakes did not know: left out where it does not use them, so that those bakes stay valid. */
+/**
+ * Omits fields of a Light that older bakes did not have if the light does not use them, so that those bakes stay valid.
+ */
 function withoutUnused(light: Light, values: Record<string, FieldValue>): void {
   if (light.colourBy === 'temperature') return;
   delete values.colourBy;
@@ -38,9 +40,8 @@ function placeOf({ object3D }: GameObject): string {
 }
 
 /**
- * Short text of all that a bake made now would depend on: static objects, baked lights, materials and
- * places, and the sky where it is baked. Another text than that of a bake tells that the bake is out of date. How
- * finely it is baked does not count.
+ * Hash of all that a bake made now would depend on: static objects, baked lights, materials and places, and the sky
+ * where it is baked. A bake with another hash is out of date. The quality of the bake is not included.
  */
 export function bakeSignature(scene: Scene, sources: BakeSources = bakeSources(scene)): string {
   const { settings, assets } = scene;
@@ -64,7 +65,7 @@ export function bakeSignature(scene: Scene, sources: BakeSources = bakeSources(s
   return hashOf(texts.toSorted().join('\n'));
 }
 
-/** 53 bits of a text, as 14 letters. bryc, cyrb53 */
+/** 53-bit hash of a text, 14 hexadecimal digits. bryc, cyrb53 */
 function hashOf(text: string): string {
   let a = 0xdeadbeef;
   let b = 0x41c6ce57;

@@ -29,7 +29,7 @@ export interface BakeMesh {
 
 type MeshLike = Mesh & { readonly isSkinnedMesh?: boolean; readonly isInstancedMesh?: boolean };
 
-/** Whether a mesh can have a lightmap: bones, morph targets and instances have no one place in it. */
+/** Whether a mesh can have a lightmap: a skinned, morphed or instanced mesh has no fixed light for a texel. */
 function canBeLightmapped(mesh: MeshLike): boolean {
   const { geometry, material } = mesh;
   const materials = Array.isArray(material) ? material : [material];
@@ -68,9 +68,9 @@ export function bakeSources(scene: Scene): BakeSources {
 }
 
 /**
- * Whether a three object that gets no lightmap casts shadows and reflects light in a bake: its bones, or its
- * instances, have no one place in a lightmap, and it belongs to a static object.
- * @param instance - of a mesh of instances: whether this one is static; of the mesh as a whole, true
+ * Whether a skinned or instanced mesh, which gets no lightmap, casts shadows and reflects light in a bake: it does when
+ * it belongs to a static object.
+ * @param instance - index of an instance to test; without it, an instanced mesh as a whole counts as static
  */
 export function isStaticWithoutLightmap(object: Object3D, instance?: number): boolean {
   const { isSkinnedMesh, isInstancedMesh } = object as MeshLike;

@@ -5,7 +5,7 @@ import type { BakeMesh } from './bakeSources';
 /** Maximum number of probes along an axis, and in all. */
 const MOST_ALONG = 32;
 const MOST = 8192;
-/** Share of the directions that see the back of a surface from which on a probe is taken to be within something. */
+/** Share of directions that hit back faces, above which a probe counts as inside a solid. */
 const WITHIN = 0.25;
 
 const box = new Box3();
@@ -14,8 +14,8 @@ const size = new Vector3();
 
 /**
  * Grid of probes for a scene: a box around all static meshes.
- * @param spacing - between them (m), at least
- * @returns null where nothing is static
+ * @param spacing - smallest distance between probes (m)
+ * @returns null when nothing is static
  */
 export function probeBox(meshes: readonly BakeMesh[], spacing: number): ProbeBox | null {
   box.makeEmpty();
@@ -36,9 +36,9 @@ export function probeBox(meshes: readonly BakeMesh[], spacing: number): ProbeBox
 }
 
 /**
- * Gives probes that lie within something the light of those beside them, nearer ones counting more, so that no darkness
- * leaks out of walls. Changes `coefficients` in place.
- * @param backFaces - share of the directions in which each sees the back of a surface
+ * Gives probes inside solids the light of neighbouring probes, weighted by nearness, so that no darkness leaks out of
+ * walls. Changes `coefficients` in place.
+ * @param backFaces - for each probe, the share of directions that hit back faces
  */
 export function fillBuriedProbes({ counts }: ProbeBox, coefficients: Float32Array, backFaces: Float32Array): void {
   const [nx, ny, nz] = counts;
@@ -78,8 +78,8 @@ const harmonics = new SphericalHarmonics3();
 const irradiance = new Vector3();
 
 /**
- * Takes the ringing out of probes: where harmonics of second order would have light below zero on the side away from
- * a strong light, the higher ones are damped just enough. Changes `coefficients` in place.
+ * Removes ringing from probes: where second-order harmonics would give negative light opposite a strong light, higher
+ * orders are damped just enough. Changes `coefficients` in place.
  * @see Sloan, Stupid Spherical Harmonics Tricks, 2008
  */
 export function dampRinging(coefficients: Float32Array): void {

@@ -8,7 +8,7 @@ export class LateCode<Code> {
 
   /**
    * @param fetch - called again after a failure
-   * @param failure - message for the user when it cannot be fetched; default: what `fetch` is rejected with
+   * @param failure - message for the user when it cannot be fetched; default: the error of `fetch`
    */
   constructor(
     private readonly fetch: () => Promise<Code>,

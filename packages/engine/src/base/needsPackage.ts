@@ -1,7 +1,7 @@
 /**
- * Code that imports a package which a host of the engine need not have installed.
- * @param use - what needs it, with the verb, for the message: 'Scripts need'
- * @throws Error (as a rejection) that names the package and the mend, when the code cannot be loaded
+ * Awaits code that imports a package which the host need not have installed.
+ * @param use - subject and verb of the message: 'Scripts need'
+ * @throws Error (as a rejection) that names the package and says how to install it, when the code cannot be loaded
  */
 export function needsPackage<Code>(name: string, use: string, code: Promise<Code>): Promise<Code> {
   return code.catch((cause: unknown) => {

@@ -1,12 +1,12 @@
 import type { Slices } from './Slices';
 
-/** Elements from one step to the next: about a millisecond of work. */
+/** Elements processed per step: about a millisecond of work. */
 const STEP = 8192;
 
-/** A long computation that stops for a moment after each step; what it returns is the result. */
+/** A long computation that yields after each step; its return value is the result. */
 export type Steps<T> = Generator<void, T, void>;
 
-/** Runs a loop over `count` elements in steps. @param run - does those from `from` up to, not including, `to` */
+/** Runs a loop over `count` elements in steps. @param run - processes elements `from` to `to` - 1 */
 export function* inSteps(count: number, run: (from: number, to: number) => void): Steps<void> {
   for (let from = 0; from < count; from += STEP) {
     run(from, Math.min(count, from + STEP));
@@ -22,8 +22,8 @@ export function runSteps<T>(steps: Steps<T>): T {
 }
 
 /**
- * Runs a computation in slices: the page answers between them.
- * @throws what the signal of `slices` was aborted with
+ * Runs a computation in slices, between which the page stays responsive.
+ * @throws the abort reason of `slices`
  */
 export async function runInSlices<T>(steps: Steps<T>, slices: Slices): Promise<T> {
   for (;;) {

@@ -9,8 +9,8 @@ import { PhysicsSystem } from '../physics/PhysicsSystem';
 import { box, ground, makeScene, prepare } from '../components/testing/physicsScene';
 
 /**
- * Time of a step of physics with 1,000 dynamic boxes and 500 moving lights: Rapier's own, and the engine's beside it.
- * `npx vitest bench --run --config packages/vitest.config.ts physics`
+ * Time of a physics step with 1,000 dynamic boxes and 500 moving lights: of Rapier, and of the engine besides. `npx
+ * vitest bench --run --config packages/vitest.config.ts physics`
  */
 const median = (times: readonly number[]): number => times.toSorted((a, b) => a - b)[Math.floor(times.length / 2)];
 
@@ -39,7 +39,7 @@ async function boxes(columns: number, apart: number): Promise<Scene> {
 
 const scenes = { 'side by side': await boxes(32, 1.2), 'in a heap 10 high': await boxes(10, 1.15) };
 
-/** Time of the processor (ms), whatever else the machine does: of all threads of the process. */
+/** CPU time of all threads of the process (ms), unaffected by other processes. */
 const processorTime = (): number => {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1000;
@@ -50,10 +50,10 @@ for (const [name, scene] of Object.entries(scenes)) {
   const bodies = scene.componentsOf(RigidBody);
   const steps: { rapier: number; engine: number; awake: number }[] = [];
   const clock = performance.now.bind(performance);
-  // the system measures by this clock
+  // PhysicsSystem takes its times from performance.now
   performance.now = processorTime;
   for (let i = 0; i < 600; i++) {
-    // thrown up again before they come to rest
+    // thrown upwards once a second, so that bodies do not fall asleep
     if (i % 60 === 0) for (const body of bodies) body.applyImpulse([0, i === 0 ? 0 : 4, 0]);
     scene.update(1 / 60);
     const awake = bodies.filter((body) => !body.isSleeping).length;

@@ -235,7 +235,7 @@ describe('blends', () => {
 describe('random clips', () => {
   const names = ['', 'A', 'A/B', 'A/B/C', 'D'];
 
-  /** A tree with lights, and Animations that play, fade, pause and stop as the seed says. */
+  /** Makes a tree with lights, and Animations that play, fade, pause and stop at random by the seed. */
   function run(seed: number): { played: string; rest: string; after: string } {
     const random = createRandom(seed);
     const pick = <T>(list: readonly T[]): T => list[Math.floor(random() * list.length)];

@@ -7,7 +7,7 @@ import { modelBelow } from '../animation/modelsBelow';
 import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 
-/** Options of `Animation.play`; absent ones are taken from the fields. */
+/** Options of `Animation.play`; the fields supply absent ones. */
 export interface PlayOptions {
   /** Duration of the cross-fade to the new clip (s). */
   readonly fade?: number;
@@ -92,8 +92,8 @@ export class Animation
 
   /**
    * Plays a clip; the present one fades out. A clip that plays already continues.
-   * @param name - of a clip of the library, or the own name of a clip of the model; the chosen clip when absent
-   * @throws Error naming the clips that there are when it is none of them
+   * @param name - of a clip of the library, or of a clip of the model as in its file; the field's clip when absent
+   * @throws Error naming the known clips when the name is unknown
    */
   play(name?: string, options: PlayOptions = {}): void {
     const { scene, system } = this;

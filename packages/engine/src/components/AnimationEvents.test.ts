@@ -38,7 +38,7 @@ describe('calls the methods of events', () => {
     return made;
   }
 
-  /** Expected event calls from time 0 to `until` (s), counted pass by pass. */
+  /** Expected event calls from time 0 to `until` (s), counted in each pass of the clip. */
   function expected(wrap: string, speed: number, until: number): number[] {
     const found: [number, number][] = [];
     for (let pass = 0; pass < 400; pass++) {

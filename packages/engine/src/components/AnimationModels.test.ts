@@ -59,7 +59,7 @@ describe('clips of models', () => {
     const model = scene.assets.model('robot.glb');
     const source = model.scene.clone();
     const mixer = new AnimationMixer(source);
-    // three's mixer does not find the copy of a node without a name
+    // three's mixer cannot find the copy of a nameless node
     const [position, quaternion, , weights] = model.animations[0].tracks;
     mixer.clipAction(new AnimationClip('Walk', 2, [position, quaternion, weights])).play();
     for (const time of [0.25, 1, 1.75, 2.5]) {

@@ -7,7 +7,7 @@ const whenPositional = { field: 'positional', equals: [true] } as const;
 
 /**
  * Plays a sound while the scene plays. Browsers allow output after the user's first press: see `audioOutput`; a sound
- * that began before is then where it would be.
+ * started earlier is then heard from its current position.
  */
 export class AudioSource extends component({
   sound: asset('sound', null, { help: 'The sound that it plays.' }),
@@ -113,7 +113,7 @@ export class AudioSource extends component({
   override start(): void {
     const { scene } = this;
     if (!scene) return;
-    // heard by code that a scene without sound does not fetch
+    // SceneAudio is late code: fetched once a scene has a sound
     void import('../audio/SceneAudio').then(({ SceneAudio }) => this.scene === scene && scene.system(SceneAudio));
     if (this.playOnStart) this.play();
   }

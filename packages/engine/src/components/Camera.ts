@@ -10,8 +10,8 @@ import { toneMappingLabels, toneMappingNames } from '../settings/toneMappings';
 const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };
 
 /**
- * Lets a GameObject be looked through, along its front (-Z). It owns a three camera below the object's object3D.
- * View and projection are thesis 3.2.5.4's two matrices.
+ * Camera at a GameObject, facing its front (-Z). Owns a three camera below the object's object3D. View and projection
+ * are the two matrices of thesis 3.2.5.4.
  */
 export class Camera extends component({
   projection: choice('perspective', ['perspective', 'orthographic'], { help: 'How depth shows.' }),
@@ -84,13 +84,16 @@ export class Camera extends component({
     return this.three.projectionMatrix.clone();
   }
 
-  /** Turns the camera to `target`; with two arguments puts it at the first, looking at the second. See Transform.lookAt. */
+  /**
+   * Turns the camera to `target`; with two arguments it is moved to the first and faces the second. See
+   * Transform.lookAt.
+   */
   lookAt(...args: Parameters<Transform['lookAt']>): void {
     this.gameObject.transform.lookAt(...args);
     this.updateViewMatrix();
   }
 
-  /** Brings the view matrix up to date with the object's model matrix. Drawing does so by itself. */
+  /** Updates the view matrix from the object's model matrix. Drawing does so by itself. */
   updateViewMatrix(): void {
     this.three.updateWorldMatrix(true, false);
   }
@@ -98,7 +101,7 @@ export class Camera extends component({
   /**
    * Sets a perspective projection.
    * @param fov - vertical field of view in radians
-   * @param aspect - width over height; null takes the canvas's
+   * @param aspect - width over height; null for the canvas's
    * @param near - metres, above 0
    * @param far - metres, above `near`
    */
@@ -111,7 +114,7 @@ export class Camera extends component({
     this.far = far;
   }
 
-  /** Tells the camera the size of the canvas, in any unit; not an edit. */
+  /** Sets the size of the canvas, in any unit, for the aspect ratio; not an edit. */
   setViewport(width: number, height: number): void {
     const aspect = width > 0 && height > 0 ? width / height : 1;
     if (aspect === this.canvasAspect) return;

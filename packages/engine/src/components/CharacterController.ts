@@ -33,7 +33,7 @@ const cameraBelow = (object: GameObject): Object3D | null => {
 
 const alive = (value: number): number => (Math.abs(value) < DEAD_ZONE ? 0 : value);
 
-/** The first gamepad whose buttons have the usual places; null where there is none. */
+/** First gamepad with the standard mapping; null for none. */
 function standardPad(): Gamepad | null {
   try {
     const pads = globalThis.navigator?.getGamepads?.();
@@ -46,8 +46,8 @@ function standardPad(): Gamepad | null {
 
 /**
  * Walks a GameObject through the scene's colliders: up steps and slopes, jumping, pushing what is in its way. Its
- * origin is at its feet. Keys, gamepad and fingers lead it, and turn it with the camera below it; scripts lead it by
- * `walk` and `jump`. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
+ * origin is at its feet. Keys, gamepad and fingers move it, and turn it together with its child camera; scripts call
+ * `walk` and `jump`. Its motion is simulation: it is not saved, and `scene.reset()` undoes it.
  */
 export class CharacterController extends physicsComponent(characterFields) {
   static override readonly typeName: string = 'CharacterController';
@@ -67,7 +67,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   };
 
   private readonly held = new Set<string>();
-  /** Movement that a script has asked for; null for none. */
+  /** Movement requested by a script; null for none. */
   private requestedMove: Vector3 | null = null;
   private readonly stick = new TouchStick();
   private readonly finger = { pointer: -1, since: 0, way: 0 };
@@ -182,7 +182,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     this.readPad(deltaSeconds);
     wish.clampLength(0, 1);
     if (wish.lengthSq() === 0) return;
-    // moves along the ground, whatever the camera's pitch
+    // movement is along the ground, independent of the camera's pitch
     this.gameObject.object3D.getWorldQuaternion(worldTurn);
     front.set(0, 0, -1).applyQuaternion(worldTurn);
     wish.applyAxisAngle(UP, Math.atan2(-front.x, -front.z));

@@ -3,7 +3,7 @@ import { physicsComponent } from '../physics/physicsComponent';
 
 /**
  * A shape that bodies collide with. It belongs to the RigidBody of its object or of the nearest object above, several
- * together making one shape; without one it stands fixed where its object is. Sizes follow the object's scale.
+ * colliders form one shape; without a RigidBody it is fixed at its object. Sizes follow the object's scale.
  */
 export class Collider extends physicsComponent(colliderFields) {
   static override readonly typeName: string = 'Collider';

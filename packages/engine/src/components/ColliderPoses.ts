@@ -21,7 +21,7 @@ export class ColliderPoses {
 
   /**
    * Updates the poses from the objects' world matrices, which it brings up to date.
-   * @returns whether an object has moved, come or gone
+   * @returns whether an object was moved, added or removed
    */
   follow(objects: readonly (Object3D | null)[]): boolean {
     let changed = false;

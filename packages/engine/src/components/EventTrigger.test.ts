@@ -12,7 +12,7 @@ import { serialize } from '../files/serialize';
 import { EventTrigger } from './EventTrigger';
 import { Light } from './Light';
 
-/** As a script would be: a class of the user's. */
+/** Stands for the component class of a user's script. */
 class Door extends component({ speed: number(1, { help: 'Speed.' }) }) {
   static override readonly typeName: string = 'Door';
   readonly opened: unknown[][] = [];
@@ -104,7 +104,7 @@ test('a timer calls at whole intervals of the scene’s time, whatever the frame
   const on = trigger({ event: 'timer', interval: 0.25, repeats: 3 });
   expect(times(Array.from({ length: 20 }, () => 0.05))).toEqual([0.25, 0.5, 0.75]);
   expect(times([0.1, 0.1, 0.1, 0.4, 0.5])).toEqual([0.3, 0.7, 1.2]);
-  // three in one long frame
+  // three calls in one long frame
   expect(times([1])).toEqual([1, 1, 1]);
   on.repeats = 0;
   expect(times(Array.from({ length: 1000 }, () => 1 / 60))).toHaveLength(66);
@@ -222,7 +222,7 @@ test('waits, and calls even when its object was switched off meanwhile; once is 
   key('down', 'KeyE');
   scene.reset();
   for (let i = 0; i < 6; i++) scene.update(0.1);
-  // the reset let go of what waited
+  // the reset has dropped pending calls
   expect(door.opened).toHaveLength(1);
   key('down', 'KeyE');
   for (let i = 0; i < 6; i++) scene.update(0.1);
@@ -256,7 +256,7 @@ test('what cannot be called is told once, with object, trigger and mend; what th
     said('calls an object that is gone', 'choose another in its field Target'),
   );
   expect(tellOf({ method: '' })).toEqual(said('has no method to call', 'choose one in its field Call'));
-  // a script that is off: its data are kept, and nothing is to be chosen anew
+  // the script is off: its data are kept, and the method need not be chosen again
   object.addComponent(makeUnknownComponent({ type: 'Gate', version: 1, values: {} }));
   expect(tellOf({ method: 'Gate.lift' })).toEqual(
     said("calls Gate.lift of 'Lamp', which does not run", 'switch the scripts of the scene on, or mend this one'),

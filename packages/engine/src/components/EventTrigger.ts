@@ -39,8 +39,8 @@ interface OtherObject {
 const CLOSE = 1e-9;
 
 /**
- * Calls one method when one thing happens to its object: see `methodsOf` for what can be called. Several may be on an
- * object. Timers and delays go by the scene's time, the same in every run.
+ * Calls a method on an event of its object; `methodsOf` lists the methods. An object may have several. Timers and
+ * delays use the scene's time, so every run is the same.
  */
 export class EventTrigger extends component({
   event: choice('pointerClick', events, {

@@ -2,8 +2,8 @@ import { boolean, number } from '@farol/editing/fields';
 import { component } from '../core/Component';
 
 /**
- * An object that hands take in a headset: by the grip button or a pinch, near the hand or where its ray points; with a
- * RigidBody it is thrown when let go. A session drives it, see `@farol/engine/xr`.
+ * An object that can be grabbed in a headset by the grip button or a pinch, near the hand or where its ray points; with
+ * a RigidBody it is thrown on release. A session drives it, see `@farol/engine/xr`.
  */
 export class Grabbable extends component({
   reach: number(0.15, {

@@ -32,7 +32,7 @@ export class KeyController extends component({
   private boosted = false;
   private readonly stick = new TouchStick();
 
-  /** Whether the pointer is the finger that moves the object, so that it turns nothing. */
+  /** Whether the pointer is the finger that moves the object, which therefore must not turn it. */
   isMovedBy(event: EnginePointerEvent): boolean {
     return this.stick.isHeldBy(event);
   }

@@ -50,8 +50,9 @@ function followSoftness(scene: Scene): void {
 
 /**
  * Lets a GameObject light the scene. It owns a three light below the object's object3D. Directional and spot lights,
- * rectangles and discs shine along the object's front (-Z); a tube lies along its X. What three's lights cannot say,
- * the thesis's attenuations, extra colours and shapes, goes to `three.userData.farol`, which @farol/renderer reads.
+ * rectangles and discs shine along the object's front (-Z); a tube lies along its X. Properties that three's lights
+ * lack (the thesis's attenuations, extra colours and shapes) are in `three.userData.farol`, which @farol/renderer
+ * reads.
  */
 export class Light extends component(lightFields) {
   static override readonly typeName: string = 'Light';
@@ -90,7 +91,7 @@ export class Light extends component(lightFields) {
     return this.substitute?.colour ?? colourOfLight(this);
   }
 
-  /** @internal Light of another component's in place of the fields'; null gives them back. Not an edit. */
+  /** @internal Replaces the fields' colour and intensity, until called with null. Not an edit. */
   setSubstitute(light: { readonly colour: Vector3Tuple; readonly intensity: number } | null): void {
     this.substitute = light;
     if (this.light) this.applyFields();
@@ -101,7 +102,7 @@ export class Light extends component(lightFields) {
     return this.type === 'rectangle' || this.type === 'disc' || this.type === 'tube';
   }
 
-  /** Solid angle (sr) by which a profile's largest intensity gives its lumens; null for none, and until it is loaded. */
+  /** Lumens per candela of the profile's largest intensity (sr); null without a profile, and until it is loaded. */
   get profileSolidAngle(): number | null {
     const profile = this.takeProfile();
     if (!profile || profile.maximumIntensity === 0) return null;

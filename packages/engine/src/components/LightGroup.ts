@@ -5,9 +5,9 @@ import type { Scene } from '../core/Scene';
 import { LightGroups } from './lightGroups';
 
 /**
- * Master of the lights whose `group` is the component's object: multiplies their intensities and colours, which stay as
- * they are; the lights of particles are dimmed alone. While it is switched off, or its object is, the lights are dark.
- * Timelines and scripts may move the master.
+ * Master of the lights whose `group` is the component's object: multiplies their intensities and colours without
+ * changing their fields; lights of particles are only dimmed. While the component or its object is switched off, the
+ * lights are dark. Timelines and scripts may animate its fields.
  */
 export class LightGroup extends component({
   dimmer: number(1, {

@@ -15,9 +15,9 @@ type Light = ThreeLight & { target?: Object3D };
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
 /**
- * Copies of a model's nodes, by what each is a copy of: of all of them, or of those that a subtree draws, whose root is
- * at the origin, since the object is where it was. Bones, and lights that aim at something or have a profile, have the
- * copies of theirs.
+ * Copies of a model's nodes by their originals: of all nodes, or of those that a subtree draws, whose root gets the
+ * identity transform, since the GameObject holds its pose. Skeletons, light targets and profiles are those of the
+ * copies.
  */
 function copiesOf(model: Model, subtree: ModelSubtree | null): Map<Object3D, Object3D> {
   const copies = new Map<Object3D, Object3D>();
@@ -42,11 +42,11 @@ function copiesOf(model: Model, subtree: ModelSubtree | null): Map<Object3D, Obj
   return copies;
 }
 
-/** Copy of a node without children, which `clone` of some classes copies too. */
+/** Copy of a node without its children; `clone` of some classes copies children regardless of its argument. */
 const copyAlone = (node: Object3D): Object3D =>
   (new (node.constructor as new () => Object3D)() as Object3D).copy(node, false);
 
-/** A skeleton of the copies of the bones. */
+/** Binds a copied mesh to a skeleton of the copied bones. */
 function bindCopy(from: SkinnedMesh, to: SkinnedMesh, copies: ReadonlyMap<Object3D, Object3D>): void {
   const skeleton = from.skeleton.clone();
   skeleton.bones = from.skeleton.bones.map((bone) => copies.get(bone) as Bone);
@@ -62,8 +62,8 @@ function aimCopy(model: Model, from: Light, to: Light, copies: ReadonlyMap<Objec
 
 /**
  * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips.
- * The weight of a morph target is a field, such as 'morph.Smile', which clips of one's own animate too. Geometries,
- * materials and textures are those of the asset, however often it is placed.
+ * The weight of a morph target is a field, such as 'morph.Smile', which clip assets can animate too. All renderers of a
+ * model share its geometries, materials and textures.
  */
 export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),

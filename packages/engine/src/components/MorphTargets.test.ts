@@ -10,7 +10,7 @@ import { serialize } from '../files/serialize';
 import { Animation } from './Animation';
 import { ModelRenderer } from './ModelRenderer';
 
-/** A mesh with morph targets of these names, one weight of each. */
+/** A mesh with morph targets of these names and weights. */
 function face(name: string, weights: Readonly<Record<string, number>>): Mesh {
   const geometry = new BoxGeometry();
   geometry.morphAttributes.position = Object.keys(weights).map((target) => {
@@ -44,7 +44,10 @@ function stage(model = source()): { scene: Scene; renderer: ModelRenderer; weigh
   return { scene, renderer, weights };
 }
 
-/** Adds a clip of two seconds from no smile to a whole one. @returns what is told of components from now on */
+/**
+ * Adds a clip of two seconds in which a smile grows from 0 to 1. @returns messages on components from now on
+ * @returns what is told of components from now on
+ */
 function addGrin(scene: Scene): readonly string[] {
   const keys = [
     { time: 0, value: 0 },
@@ -74,7 +77,7 @@ test('the weight of each morph target is a field, of all meshes that have one of
   expect(() => renderer.set('morph.Smile', 1.5)).toThrow(/morph\.Smile/);
   expect(() => renderer.set('morph.Frown', 1)).toThrow(/morph\.Frown is unknown/);
 
-  // what is not as the model has it is saved, and comes back
+  // weights that differ from the model's are saved and restored
   const saved = serialize(scene);
   expect(saved.objects[0].components[1].values).toMatchObject({ morphWeights: '{"Jaw.open":1,"Smile":0.5}' });
   const copy = await deserialize(JSON.stringify(saved), { assets: scene.assets });

@@ -11,8 +11,9 @@ const axis = new Vector3();
 const front = new Vector3();
 
 /**
- * Turns a GameObject by dragging over the canvas, with the mouse or a finger: sideways about an axis of the world, up and down about one of its own,
- * so that it never tilts (thesis 3.2.5.5). What it does is simulation: it is not saved, and `scene.reset()` undoes it.
+ * Turns a GameObject by dragging over the canvas, with the mouse or a finger: sideways about an axis of the world, up
+ * and down about one of its own, so that it never tilts (thesis 3.2.5.5). The rotation is simulation: it is not saved,
+ * and `scene.reset()` undoes it.
  */
 export class MouseController extends component({
   horizontalAxis: vector3([0, 1, 0], {

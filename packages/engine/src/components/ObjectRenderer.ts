@@ -12,8 +12,8 @@ import { instanceGroupsOf } from './instances/InstanceGroups';
 const flags = new Set(['render', 'castShadow', 'receiveShadow']);
 
 /**
- * Gives a GameObject a visible shape: a mesh and a material. The material is made from the fields and shared with other
- * renderers of equal values; or it is an asset, `material` or `shader`, used as it is.
+ * Gives a GameObject a visible shape: a mesh and a material. The material is made from the fields, and shared by
+ * renderers of equal values, or it is an asset (`material` or `shader`).
  */
 export class ObjectRenderer extends component({
   mesh: asset('mesh', 'box', { help: 'Shape of the object.' }),
@@ -111,7 +111,7 @@ export class ObjectRenderer extends component({
     this.refreshMaterial();
   }
 
-  /** Applies the geometry that the fields name, at once or when its asset is loaded and has normals. */
+  /** Applies the geometry that the fields name, now or once its asset is loaded and has normals. */
   private refreshGeometry(): void {
     const { scene, mesh } = this;
     if (!scene) return;

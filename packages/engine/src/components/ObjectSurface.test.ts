@@ -68,7 +68,7 @@ describe('an object that wears a surface by itself', () => {
     );
     expect(() => one.set('surface.gone', 2)).toThrow('surface.gone is unknown');
     expect(() => one.simulate('surface.gone', 2)).toThrow('surface.gone is unknown');
-    // the rest is the material's, live
+    // all other values follow the material
     steel.set('colour', [1, 0, 0]);
     expect(materialOf(one).color).toMatchObject({ r: 1, g: 0, b: 0 });
     one.surface = null;
@@ -86,7 +86,7 @@ describe('an object that wears a surface by itself', () => {
     boxes[0].set('surface.amount', 0.5);
     expect(materialOf(boxes[0])).not.toBe(materialOf(boxes[1]));
     expect(assets.layered.size).toBe(2);
-    // the values of one alone are changed in place
+    // a material of a single user is changed in place
     const own = materialOf(boxes[0]);
     boxes[0].set('surface.amount', 0.625);
     expect(materialOf(boxes[0])).toBe(own);
@@ -258,7 +258,7 @@ test('objects and models share their materials again after a simulation gave one
   for (const [one, other] of [models, boxes]) {
     const shared = drawnBy(one);
     expect(drawnBy(other)).toBe(shared);
-    // the second ends with the value that it has authored
+    // the second value is the authored one
     for (const last of [0.75, 0.25]) {
       for (const amount of [0.5, last]) one.simulate('surface.amount', amount);
       expect(drawnBy(one)).not.toBe(shared);

@@ -22,8 +22,7 @@ type Bounded = Mesh & { boundingSphere?: Sphere | null };
 
 /**
  * Surface that a component puts on top of its meshes' materials. Objects of one material, surface and values share a
- * material; while simulation changes a value, the object has a material of its own, whose uniforms are written and
- * nothing else.
+ * material; while simulation changes a value, the object has a material of its own, so that only uniforms are written.
  */
 export class ObjectSurface implements LayerUser {
   readonly views: StoredViews;
@@ -36,7 +35,7 @@ export class ObjectSurface implements LayerUser {
    * @param declared - all fields of the owner
    * @param refresh - makes the owner apply materials again
    * @param reachChanged - called when the greatest displacement of vertices changed
-   * @param views - finds fields that it has besides the uniforms
+   * @param views - returns the owner's field views other than those of uniforms
    */
   constructor(
     private readonly owner: Component,
@@ -57,9 +56,9 @@ export class ObjectSurface implements LayerUser {
   }
 
   /**
-   * Gives meshes their materials.
-   * @param dress - is handed what gives the material to draw with in place of one, which is that one where no surface
-   * is worn
+   * Applies materials to meshes.
+   * @param dress - called with `wear`, which returns the material to draw with: `source` itself where there is no
+   *   surface
    */
   dress(scene: Scene, dress: (wear: (source: Material) => Material) => void): void {
     const { layered } = scene.assets;

@@ -17,8 +17,8 @@ const SAME_TIME = 1e-4;
 
 /**
  * Emits particles that the GPU simulates, and that may be lights: `ParticleEmitter` of @farol/renderer/particles,
- * fetched when a scene first has one; an `App` switches the effect on that draws it. While the scene plays they go on
- * with its time, and begin from the seed with it: the same times give the same particles.
+ * fetched when a scene first has one; an `App` switches the effect on that draws it. While the scene plays they follow
+ * its time and restart from the seed with it, so equal times give equal particles.
  */
 export class ParticleEmitter extends component(particleFields) {
   static override readonly typeName: string = 'ParticleEmitter';
@@ -117,7 +117,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter) return;
     this.followSurface();
     this.followColliders();
-    // the scene was put back to an earlier time
+    // the scene's time was set back
     if (time < this.beganAt) this.beganAt = time;
     const due = time - this.beganAt;
     if (Math.abs(emitter.time + deltaSeconds - due) < SAME_TIME) {
@@ -125,7 +125,7 @@ export class ParticleEmitter extends component(particleFields) {
       if (deltaSeconds > 0) emitter.step(deltaSeconds);
       return;
     }
-    // a jump in time: shown while nothing played, or the scene was moved to that time
+    // the time jumped: the emitter was previewed before, or the scene was moved to a time
     emitter.restart();
     if (due > 0) emitter.step(due);
   }

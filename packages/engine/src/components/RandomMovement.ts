@@ -6,9 +6,8 @@ import { createRandom } from '../base/createRandom';
 const SHARES = [0.65, 0.35];
 
 /**
- * Keeps a GameObject in motion round the place where it was put (its authored position). Where it is depends on the
- * seed and the scene's time alone, so it is the same in every run; at time 0 it is at its place. Its motion is
- * simulation, not an edit, and is not saved.
+ * Moves a GameObject around its authored position. The offset depends on the seed and the scene's time alone, so every
+ * run is the same; at time 0 it is 0. Its motion is simulation, not an edit, and is not saved.
  */
 export class RandomMovement extends component({
   seed: number(1, { integer: true, min: 0, max: 2 ** 31 - 1, help: 'Another number, another path.' }),

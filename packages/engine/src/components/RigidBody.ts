@@ -6,10 +6,9 @@ import { physicsComponent } from '../physics/physicsComponent';
 
 /**
  * Makes an object a body of the scene's physics, with the Colliders of the object and of those below it. While the
- * scene plays a dynamic body is moved by forces and collisions; a kinematic one goes where its object is moved by
- * animation or scripts, and pushes others; a fixed one stays. What it does is simulation: it is not saved, and
- * `scene.reset()` undoes it. Its methods may be called from `start` on; what is asked before the physics have begun
- * waits for them.
+ * scene plays a dynamic body is moved by forces and collisions; a kinematic one follows its object, which animation or
+ * scripts move, and pushes others; a fixed one stays. Its motion is simulation: it is not saved, and `scene.reset()`
+ * undoes it. Its methods may be called from `start` on; calls made before the physics has started are deferred.
  */
 export class RigidBody extends physicsComponent(rigidBodyFields) {
   static override readonly typeName: string = 'RigidBody';
@@ -54,7 +53,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
     this.whenThere((body) => body.setAngularVelocity(velocity));
   }
 
-  /** Whether the body rests: it costs nothing until touched. */
+  /** Whether the body sleeps, at no cost, until it is touched. */
   get isSleeping(): boolean {
     return this.control?.isSleeping ?? false;
   }
@@ -70,7 +69,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
   }
 
   /**
-   * Acts on a dynamic body during this frame: called in each `update`, it is a constant force.
+   * Applies a force to a dynamic body during this frame; call it in each `update` for a constant force.
    * @param force - in the world (N)
    * @param point - of the world where it acts (m); the centre of mass when absent
    */
@@ -85,7 +84,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
     this.whenThere((body) => body.applyTorque(value));
   }
 
-  /** Lets a body move again that has come to rest. */
+  /** Wakes a sleeping body. */
   wakeUp(): void {
     this.whenThere((body) => body.wakeUp());
   }

@@ -4,7 +4,7 @@ const top = new Vector3();
 
 /**
  * A hemisphere light whose sky is at the top (+Y) of its parent. three takes the direction of the sky from the light's
- * world position, so the world matrix holds that direction in place of a position.
+ * world position, so the position in the world matrix is set to that direction.
  */
 export class SkyLight extends HemisphereLight {
   override updateMatrixWorld(force?: boolean): void {

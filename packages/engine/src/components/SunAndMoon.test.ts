@@ -29,7 +29,7 @@ test('at noon of midsummer in Madrid the sun stands high in the south, white, an
   expect(sun.sun.azimuth / RADIANS).toBeCloseTo(180, -1);
   scene.three.updateMatrixWorld(true);
   const { x, y, z } = light.direction;
-  // north is -Z: the light of a sun in the south goes to the north, and down
+  // north is -Z: light of a sun in the south shines north and down
   expect([y, Math.abs(x) < 0.1, z < -0.2]).toEqual([expect.closeTo(-Math.sin(sun.sun.elevation), 3), true, true]);
   const three = light.three as DirectionalLight;
   expect(three.intensity).toBeGreaterThan(2.8);
@@ -41,7 +41,7 @@ test('at noon of midsummer in Madrid the sun stands high in the south, white, an
 test('lux as measured: sun and sky by day, the moon alone by night', async () => {
   const { scene, sun, light } = await made({ hour: 14.25, brightness: 'measured' });
   expect(light.three.intensity).toBeGreaterThan(100_000);
-  // the sky's own light on level ground is 16 klx, whatever its picture's numbers are
+  // the sky's own light on level ground is 16 klx, independent of its image's values
   expect(scene.three.environmentIntensity).toBeGreaterThan(3000);
   // full moon of 2026-05-31, over Madrid at 2 in the night
   Object.assign(sun, { month: 5, day: 31, hour: 2 });

@@ -25,8 +25,9 @@ const parent = new Quaternion();
 const place = { group: 'Place' };
 
 /**
- * Sun, moon and the sky of an hour at a place on earth: it turns its object and gives the object's Light the light of the sun
- * or, at night, of the moon, and shows the sky, whose light is the ambient one. None of that is an edit. North is -Z, east +X.
+ * Sun, moon and sky at an hour and a place on earth: turns its object, gives the object's Light the colour and
+ * intensity of the sun or, at night, of the moon, and shows the sky, whose light is the ambient one. None of that is an
+ * edit. North is -Z, east +X.
  */
 export class SunAndMoon extends component({
   hour: number(16, {
@@ -178,7 +179,7 @@ export class SunAndMoon extends component({
     );
   }
 
-  /** Direction as skies have it: azimuth from +x to +z. */
+  /** Converts to the convention of skies: azimuth from +x towards +z. */
   private inScene({ azimuth, elevation }: SkyPlace): SkyDirection {
     return { azimuth: azimuth + this.north - Math.PI / 2, elevation };
   }

@@ -17,7 +17,7 @@ export class TouchStick {
     return pointerType === 'touch' && pointerId === this.pointer;
   }
 
-  /** @returns whether the finger has taken the stick */
+  /** @returns whether the finger now holds the stick */
   press({ pointerId, pointerType, ndcX, x, y }: EnginePointerEvent): boolean {
     if (pointerType !== 'touch' || ndcX >= 0 || this.pointer >= 0) return false;
     Object.assign(this, { pointer: pointerId, startX: x, startY: y });

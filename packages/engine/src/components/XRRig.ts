@@ -2,9 +2,9 @@ import { angle, boolean, number } from '@farol/editing/fields';
 import { component } from '../core/Component';
 
 /**
- * Floor on which a user of a headset stands: the object's origin is between the feet. The left stick walks, the right one
- * turns by steps, and held forward it shows where its release teleports to. With a CharacterController on the same object
- * the walk goes by its collisions. A session drives it, see `@farol/engine/xr`; without one it does nothing.
+ * Floor on which a user of a headset stands: the object's origin is between the feet. The left stick walks, the right
+ * one turns by steps, and shows a teleport target while it is pushed forward. With a CharacterController on the same
+ * object, walking collides. A session drives it, see `@farol/engine/xr`; without one it does nothing.
  */
 export class XRRig extends component({
   speed: number(2, { unit: 'm/s', min: 0, step: 0.5, help: 'Walking speed of a stick pushed fully; 0 for none.' }),

@@ -17,12 +17,12 @@ export function objectLike(object: Object3D): GameObject {
 }
 
 /**
- * Makes GameObjects of a three model, such as `gltf.scene`: its tree, transforms and meshes, so that each can be edited.
- * Geometries and materials are named by the ObjectRenderers as the library names the parts of the model; those that it
- * does not have yet are registered. Skeletons, morph targets, lights and cameras are left out: a ModelRenderer keeps
- * them. The model itself is left as it is.
- * @param prefix - name of the model in the library, or one that no assets begin with yet
- * @throws AssetError when the prefix is that of other assets
+ * Makes GameObjects of a three model, such as `gltf.scene`: its tree, transforms and meshes, so that each can be
+ * edited. The ObjectRenderers refer to geometries and materials by the library's names of the model's parts; missing
+ * ones are registered. Skeletons, morph targets, lights and cameras are left out: a ModelRenderer keeps them. The model
+ * itself is not changed.
+ * @param prefix - name of the model in the library, or a new one
+ * @throws AssetError when other assets have the prefix
  */
 export function importModel(model: Object3D | Model, assets: AssetLibrary, prefix: string): GameObject {
   const source = model instanceof Model ? model : new Model(model);

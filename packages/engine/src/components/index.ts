@@ -59,7 +59,7 @@ const components = [
 for (const each of components) registry.register(each);
 
 /**
- * The built-in types of components. A name of this module's own: a bundler that leaves out the package's index, which has no
- * effect of its own, still runs the lines above for who imports it.
+ * The built-in types of components. Importing this name runs the registrations above, even where a bundler drops the
+ * package's index as free of side effects.
  */
 export const builtinComponents = registry;

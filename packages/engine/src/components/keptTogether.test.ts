@@ -35,7 +35,9 @@ const named = <T extends Object3D>(object: T, name: string): T => Object.assign(
 
 const material = new MeshStandardMaterial({ name: 'Plain' });
 
-/** A turned hall: a table, a lamp with a morphing shade, instanced chairs, a man whose mesh is beside his bones, a dog whose mesh is within. */
+/**
+ * A rotated hall: table, lamp with a morphing shade, instanced chairs, man (mesh beside his bones), dog (mesh within).
+ */
 function hall(): Model {
   const scene = new Group();
   const room = named(new Group(), 'Hall');
@@ -81,7 +83,7 @@ function hall(): Model {
   ]);
 }
 
-/** Coordinates of vertices as they are drawn, with bones, morph targets and instances, in the world (m), by mesh and instance. */
+/** World coordinates (m) of vertices as drawn, with bones, morph targets and instances, by mesh and instance. */
 function drawnVertices(scene: Scene): number[][] {
   const root = scene.three;
   root.updateMatrixWorld(true);
@@ -106,7 +108,7 @@ function drawnVertices(scene: Scene): number[][] {
   return meshes;
 }
 
-/** How far (m) a coordinate of a mesh is from that of the most alike one of others, at most; Infinity for another number of meshes. */
+/** Greatest difference (m) of a mesh's coordinates to the most similar mesh; Infinity for different counts. */
 function difference(meshes: readonly number[][], others: readonly number[][]): number {
   if (meshes.length !== others.length) return Infinity;
   const between = (a: number[], b: number[]): number =>
@@ -114,7 +116,7 @@ function difference(meshes: readonly number[][], others: readonly number[][]): n
   return Math.max(...meshes.map((mesh) => Math.min(...others.map((other) => between(mesh, other)))));
 }
 
-/** Matrices of instances are in single precision. */
+/** Tolerance: matrices of instances are in single precision. */
 const ROUNDING = 1e-5;
 
 function placed(isUnpacked: boolean) {

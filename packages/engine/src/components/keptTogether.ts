@@ -98,7 +98,7 @@ class Groups {
   }
 }
 
-/** The parts of a model that stay together: what a skeleton moves, meshes with morph targets, points and lines. */
+/** Parts of a model that cannot be split: skeletons with their meshes, meshes with morph targets, points and lines. */
 export function keptTogether({ scene }: Model): KeptPart[] {
   const order = new Order(scene);
   const groups = new Groups();
@@ -143,7 +143,7 @@ export function keptTogether({ scene }: Model): KeptPart[] {
   });
 }
 
-/** Whether anything of a model can be an object beside its parts that stay together. */
+/** Whether a model has any part, besides those that cannot be split, that can become an object. */
 export function isUnpackable(model: Model, kept = keptTogether(model)): boolean {
   if (kept.length !== 1) return true;
   return !new Order(model.scene).holdsNothingElse(model.scene, kept[0].nodes);

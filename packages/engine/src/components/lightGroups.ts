@@ -2,7 +2,7 @@ import type { Vector3Tuple } from '@farol/editing/fields';
 import type { Light as ThreeLight } from 'three';
 import type { Scene } from '../core/Scene';
 
-/** Factors that a group gives to its lights. */
+/** Factors by which a group changes its lights. */
 export interface LightMaster {
   /** Factor of the intensity, 0 or more. */
   readonly dimmer: number;
@@ -39,12 +39,12 @@ export class LightGroups {
     return groups;
   }
 
-  /** Adds a light to the scene's. */
+  /** Adds a light, when its component enters the scene. */
   add(light: LightSource): void {
     this.lights.add(light);
   }
 
-  /** Puts a light into a group and out of others. @param group - id of the group's object; null for none */
+  /** Moves a light to a group. @param group - id of the group's object; null for none */
   join(light: GroupedLight, group: string | null): void {
     this.leave(light);
     if (group === null) return;
@@ -63,7 +63,7 @@ export class LightGroups {
     return group === null ? null : (this.masters.get(group) ?? null);
   }
 
-  /** Sets the factors of a group; null when its component is gone. */
+  /** Sets the factors of a group; null when its component was removed. */
   setMaster(group: string, master: LightMaster | null): void {
     const before = this.masters.get(group);
     if (master) this.masters.set(group, master);

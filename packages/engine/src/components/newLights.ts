@@ -1,7 +1,7 @@
 import type { NewObject } from '../core/NewObject';
 import { lightShadows, sunShadows } from './newShadows';
 
-/** Lights shine along -Z: turned to point down. */
+/** Rotation to point down, as lights shine along -Z. */
 const down = [-Math.PI / 2, 0, 0] as const;
 
 /** New lights by type, with values that make them noticeable among others. */

@@ -4,7 +4,7 @@ export const meshShadows = { castShadow: true, receiveShadow: true } as const;
 /** Size of the shadow map (texels) and softness of new lights, by their type. */
 export const lightShadows = {
   directional: { castShadow: true, shadowMapSize: 2048, shadowRadius: 2 },
-  /** Six maps each: only lights that are chosen to cast shadows do. */
+  /** off by default: a point light draws six shadow maps */
   point: { castShadow: false, shadowMapSize: 512, shadowRadius: 2 },
   spot: { castShadow: true, shadowMapSize: 1024, shadowRadius: 2 },
 } as const;

@@ -38,7 +38,10 @@ import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
 import { objectsOfModel, whatKeepsTogether } from './objectsOfModel';
 
-/** Model as a glTF gives it: a lamp on a turned, mirrored arm, two meshes of one geometry, a camera, a sun, a clip. */
+/**
+ * A model in the form of a glTF: a lamp on a rotated, mirrored arm, two meshes of one geometry, a camera, a sun, a
+ * clip.
+ */
 function lampModel(): Model {
   const scene = new Group();
   const texture = new DataTexture(new Uint8Array(16), 2, 2);
@@ -94,7 +97,7 @@ function lampModel(): Model {
   return new Model(scene, [new AnimationClip('Swing', 1, [track])]);
 }
 
-/** The library with the model in it, loaded, and a scene. */
+/** A scene, and a library with the loaded model. */
 function placed() {
   const model = lampModel();
   const assets = new AssetLibrary();
@@ -117,7 +120,7 @@ const textureFacts = (texture: Texture): unknown => {
   return { ...shared, matrix: rounded(texture.matrix.elements) };
 };
 
-/** Everything of a material that its shader reads. */
+/** All values of a material that its shader reads. */
 function materialFacts(material: object): Record<string, unknown> {
   const facts: Record<string, unknown> = {};
   const skipped = /^(uuid|name|version|id|userData|_listeners|opacity|blend|forceSinglePass|envMap)/;
@@ -131,7 +134,7 @@ function materialFacts(material: object): Record<string, unknown> {
   return { ...facts, opacity: transparent ? opacity : 1 };
 }
 
-/** All that is drawn, or lights, below an object: where and what. */
+/** Everything drawn or lit below an object, with its position. */
 function drawn(root: Object3D): Drawn[] {
   root.updateWorldMatrix(true, true);
   const list: Drawn[] = [];
@@ -257,7 +260,7 @@ test('a RectAreaLight and the extras of an exported light become lights with a s
   const model = new Model(new Group().add(rectangle, exported, stray), []);
   const lights = objectsOfModel(model, new AssetLibrary(), 'm').objects.map((each) => each.getComponent(Light));
   expect(lights[0]).toMatchObject({ type: 'rectangle', diffuse: [1, 0, 0], intensity: 3, width: 2, height: 0.5 });
-  // what is not allowed is as new
+  // invalid values are replaced by those of a new light
   expect(lights[1]).toMatchObject({ type: 'tube', width: 1.5, height: 1, intensity: 8 });
   expect(lights[2]).toBeNull();
 });

@@ -48,8 +48,8 @@ export interface UnpackOptions {
   /** Whether the objects receive shadows. Default true. */
   readonly receiveShadow?: boolean;
   /**
-   * Values for ObjectRenderers by the name of their material in the model, or for all: the surface that the material
-   * wears.
+   * Values for the ObjectRenderers of one material of the model (`material` is its name), or of all: the surface on top
+   * of the material.
    */
   readonly wears?: { readonly material: string; readonly values: Values };
 }
@@ -83,10 +83,10 @@ const instancePlace = new Vector3();
 const instanceScale = new Vector3();
 
 /**
- * Makes GameObjects of a model that is drawn as the model is: meshes with the parts of the model in the library,
- * materials made of fields, lights and cameras, an object for each instance of a mesh. What `keptTogether` tells stays
- * one object each, with a ModelRenderer that draws these `parts` of the model.
- * @param name - of the model in the library, where it is loaded
+ * Makes GameObjects that look like a model: meshes with the parts of the model in the library, materials made of
+ * fields, lights and cameras, an object for each instance of a mesh. Parts that `keptTogether` returns stay one object
+ * each, with a ModelRenderer that draws these `parts` of the model.
+ * @param name - name of the loaded model in the library
  */
 export function objectsOfModel(
   model: Model,
@@ -114,10 +114,7 @@ export function objectsOfModel(
   const made = new Map<Material, string | null>();
   const materials: { name: string; values: Values }[] = [];
 
-  /**
-   * Names of materials by their values, of the library and of those made here; of these, by the name wanted, the next
-   * number.
-   */
+  /** Names of materials by their values, both of the library and made here. */
   const byValues = new Map<string, string[]>();
   const taken = new Set<string>();
   const numbers = new Map<string, number>();
@@ -276,10 +273,7 @@ function ownValues({ ambient, specular, spotExponent, attenuation }: FarolLightD
 
 const SHAPE_FIELDS = ['type', 'width', 'height', 'diffuse', 'intensity', 'areaRange'] as const;
 
-/**
- * The fields of a Light with a shape, of the extras that the editor's glTF export gives a node; null where they are
- * none.
- */
+/** Fields of an area Light, from a node's extras that the editor's glTF export wrote; null for other extras. */
 function shapeLightValues(extras: unknown): Record<string, FieldValue> | null {
   if (typeof extras !== 'object' || extras === null) return null;
   const values: Record<string, FieldValue> = {};

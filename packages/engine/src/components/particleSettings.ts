@@ -134,7 +134,7 @@ const names = Object.keys(rules) as readonly (keyof ParticleSettings)[];
 const settingOf = new Map<string, keyof ParticleSettings>();
 for (const name of names) for (const field of rules[name].fields) settingOf.set(field, name);
 
-/** All settings that values of fields stand for. */
+/** Computes all settings from field values. */
 export function particleSettings(values: ParticleValues, parts: ParticleParts): ParticleSettings {
   const settings: Record<string, unknown> = {};
   for (const name of names) settings[name] = rules[name].make(values, parts);

@@ -32,7 +32,7 @@ const boxOf = (shape: Wall | Room): number[] => {
   return [...min.toArray(), ...max.toArray()].map((each) => Number(each.toFixed(4)));
 };
 
-/** Whether something of the shape lies between two points (m). */
+/** Whether a shape lies between two points (m). */
 function isBlocked(shape: Wall | Room, from: [number, number, number], to: [number, number, number]): boolean {
   scene.three.updateMatrixWorld(true);
   const [eye, end] = [new Vector3(...from), new Vector3(...to)];

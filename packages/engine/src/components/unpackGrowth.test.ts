@@ -16,7 +16,7 @@ const smiling = triangle.clone();
 smiling.morphAttributes.position = [new BufferAttribute(new Float32Array(9), 3)];
 const material = new MeshStandardMaterial();
 
-/** Models of so many parts that stay together, beside each other. */
+/** Makers of models with `count` parts that stay together. */
 const models: Readonly<Record<string, (count: number) => Object3D>> = {
   'points of one name': (count) => new Group().add(...Array.from({ length: count }, () => new Points(triangle))),
   'morph targets, each in a group': (count) =>
@@ -30,7 +30,7 @@ const models: Readonly<Record<string, (count: number) => Object3D>> = {
     ),
   'points within one another': (count) => {
     const top = new Group();
-    // ten deep
+    // ten levels deep
     for (let i = 0; i < count / 10; i++) {
       let at: Object3D = top;
       for (let depth = 0; depth < 10; depth++) {
@@ -43,7 +43,7 @@ const models: Readonly<Record<string, (count: number) => Object3D>> = {
   },
 };
 
-/** How often the nodes of a model are looked at, by their names, parents and children, while work is done. */
+/** Counts accesses to names, parents and children of a model's nodes during `work`. */
 function looksAt(top: Object3D, work: () => void): number {
   let looks = 0;
   top.traverse((node) => {

@@ -61,7 +61,7 @@ function disturb(scene: Scene, random: () => number): void {
   try {
     pick(acts)();
   } catch {
-    // what is not possible, such as an object below itself, changes nothing
+    // invalid changes, such as an object below itself, change nothing
   }
 }
 
@@ -81,7 +81,7 @@ test.each([1, 2, 3])('whatever code does after keepAuthored, a reset brings back
     expect(objects.map(({ name }) => scene.find(name))).toEqual(objects);
     expect(lights).toEqual([currentOf(light)]);
   }
-  // the light shines still
+  // the light is still drawn
   currentOf(light).intensity = 3;
   expect(currentOf(light).three.intensity).toBe(3);
 });

@@ -44,8 +44,8 @@ const recordOf = (object: GameObject): ObjectRecord => ({
 const staysAsTyped = (type: string): boolean => type === 'script' || type === 'surface';
 
 /**
- * State of a scene at a moment, from which all later changes by code can be undone: objects and components
- * that come, go or move, their names and switches, and fields that are set. Edits of scripts are not taken back.
+ * State of a scene at a moment, from which all later changes by code can be undone: added, removed and moved objects
+ * and components, names, switches and fields. Edits of scripts are not undone.
  */
 export class AuthoredState {
   private readonly objects = new Map<GameObject, ObjectRecord>();
@@ -152,7 +152,7 @@ export class AuthoredState {
       });
       added.push(...container.childList.slice(children.length));
     };
-    // parents first: an object that was put below its own child leaves it before it gets children
+    // parents first: an object that was moved below its own child must leave it before that child is put back
     arrange(scene, this.roots);
     for (const [object, { children }] of this.objects) arrange(object, children);
     // objects that were moved into a removed object's place are no additions

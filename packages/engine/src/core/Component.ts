@@ -31,8 +31,8 @@ export abstract class Component extends FieldOwner {
   private simulated: Map<string, FieldValue> | null = null;
 
   /**
-   * Called once, before the first `update`, when the scene begins to play or the component enters a playing scene, in a
-   * frame that takes time.
+   * Called once, before the first `update`, when the scene begins to play or the component enters a playing scene, in
+   * the first frame with a time step above 0.
    */
   start?(): void;
   /**
@@ -50,10 +50,10 @@ export abstract class Component extends FieldOwner {
   onKeyDown?(event: EngineKeyEvent): void;
   onKeyUp?(event: EngineKeyEvent): void;
   /**
-   * Pointer events on what is drawn of the object or of any below it: the nearest mesh under the pointer is called,
-   * then the objects above it. Over and out come once, however the pointer goes from part to part; whether it is over
-   * something is found out when it moves. A press and a release are of any button; a click is of the first one, pressed
-   * and released over the same object, no more than 10 CSS pixels apart. Touch is over what it presses, until it is
+   * Pointer events on meshes of the object or its descendants: called on the object of the nearest mesh under the
+   * pointer, then on its ancestors. Over and out are called once, even if the pointer crosses several parts; they are
+   * evaluated when the pointer moves. Presses and releases are of any button; a click is of the primary one, pressed
+   * and released over the same object within 10 CSS pixels. A touch stays over the object that it pressed, until it is
    * lifted.
    */
   onPointerOver?(event: ObjectPointerEvent): void;
@@ -181,7 +181,7 @@ export abstract class Component extends FieldOwner {
 
   /**
    * Called every frame that is simulated; only components that override it are visited.
-   * @param deltaSeconds - 0 when the scene was put at a time
+   * @param deltaSeconds - 0 when the scene was moved to a time
    * @param time - the scene's time in seconds
    */
   update(_deltaSeconds: number, _time: number): void {}

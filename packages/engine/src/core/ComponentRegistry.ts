@@ -21,7 +21,7 @@ export class ComponentRegistry {
 
   private readonly classes = new Map<string, ComponentClass>();
 
-  /** @param classes - types to begin with, such as those of another registry */
+  /** @param classes - initial types, such as those of another registry */
   constructor(classes: Iterable<ComponentClass> = [], { keepUnknown = false }: ComponentRegistryOptions = {}) {
     this.keepsUnknown = keepUnknown;
     for (const each of classes) this.register(each);
@@ -67,8 +67,8 @@ export class ComponentRegistry {
   }
 
   /**
-   * A component on no object from the data of a checked file. Where types that are not known are kept, one of them too,
-   * and values that the class, whose script has changed, does not have or allow are left out.
+   * Makes a component on no object from the data of a checked file. With `keepsUnknown`, unknown types are accepted,
+   * and values that the class of an edited script no longer has or allows are left out.
    */
   createFrom(data: ComponentData): Component {
     if (this.keepsUnknown && !this.classes.has(data.type)) return makeUnknownComponent(data);

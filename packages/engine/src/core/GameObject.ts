@@ -119,7 +119,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'locked' });
   }
 
-  /** Whether the object never moves: a bake gives its meshes lightmaps. Children have flags of their own. */
+  /** Whether the object never moves, so that its meshes get baked lightmaps. Children have flags of their own. */
   get isStatic(): boolean {
     return this.staysInPlace;
   }
@@ -174,7 +174,9 @@ export class GameObject implements GameObjectContainer {
    */
   remove(child: GameObject): this {
     if (child.container !== this)
-      throw new Error(`'${shortText(child.name)}' is not a child of '${shortText(this.name)}'.`);
+      throw new Error(
+        `'${shortText(child.name)}' is not a child of '${shortText(this.name)}': call remove of its parent.`,
+      );
     moveGameObject(child, null, undefined, { keepWorld: false });
     return this;
   }
@@ -182,8 +184,8 @@ export class GameObject implements GameObjectContainer {
   /**
    * Moves the object below another, or to the top of a scene.
    * @param index - place among the new siblings; at the end when absent
-   * @param options - `keepWorld` (default true): it stays where it is in the world. Under a parent with unequal scales
-   * a rotated object would need shear, which a Transform cannot hold: it then comes as near as it can.
+   * @param options - `keepWorld` (default true): it keeps its pose in the world. Under a parent with unequal scales a
+   *   rotated object would need shear, which a Transform cannot represent; the nearest pose is used.
    * @throws Error when the new parent is the object itself or below it; nothing has changed then
    */
   reparent(parent: GameObject | Scene, index?: number, options: MoveOptions = {}): void {
@@ -206,7 +208,9 @@ export class GameObject implements GameObjectContainer {
     const registry = this.scene?.registry ?? builtinComponents;
     const component = typeof type === 'string' ? registry.create(type) : typeof type === 'function' ? new type() : type;
     if (component.isAttached)
-      throw new Error(`This ${component.typeName} is on '${shortText(component.gameObject.name)}' already.`);
+      throw new Error(
+        `This ${component.typeName} is on '${shortText(component.gameObject.name)}' already: remove it there first.`,
+      );
     if (component.componentClass.unique && this.getComponent(component.typeName)) {
       throw new Error(
         `'${shortText(this.name)}' has a ${component.typeName} already: change that one, or remove it first.`,
@@ -224,18 +228,22 @@ export class GameObject implements GameObjectContainer {
     return component;
   }
 
-  /** Removes a component, which may be added again or disposed of. @throws Error for the Transform or a stranger */
+  /**
+   * Removes a component, which may be added again or disposed of.
+   * @throws Error for the Transform or another object's
+   */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
-    if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
-    if (component === this.transform) throw new Error('The Transform cannot be removed.');
+    if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}': give one that is.`);
+    if (component === this.transform)
+      throw new Error('The Transform cannot be removed: dispose of the object instead.');
     this.scene?.componentLeaves(component);
     component.detach();
     this.componentList.splice(index, 1);
     this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
   }
 
-  /** @internal Puts a component in another's place in the list, and nothing more. */
+  /** @internal Replaces a component by another one in the list, without any calls. */
   putInPlace(component: Component, other: Component): void {
     this.componentList[this.componentList.indexOf(component)] = other;
   }
@@ -243,7 +251,10 @@ export class GameObject implements GameObjectContainer {
   /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
-    if (from < 1) throw new Error(`This ${component.typeName} cannot be moved: it is the Transform, or elsewhere.`);
+    if (from < 1)
+      throw new Error(
+        `This ${component.typeName} cannot be moved: give one of '${shortText(this.name)}', not the Transform.`,
+      );
     this.componentList.splice(from, 1);
     this.componentList.splice(Math.min(Math.max(index, 1), this.componentList.length), 0, component);
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });
@@ -304,7 +315,7 @@ export class GameObject implements GameObjectContainer {
     for (const child of this.childList) child.traverse(visit);
   }
 
-  /** The first object with this id, else with this name, among this one and all below it; null when there is none. */
+  /** The first object with this id, else with this name, among this object and its descendants; null for none. */
   find(nameOrId: string): GameObject | null {
     let byName: GameObject | null = null;
     let byId: GameObject | null = null;

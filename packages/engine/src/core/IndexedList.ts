@@ -3,7 +3,7 @@ export class IndexedList<T> {
   private readonly entries: T[] = [];
   private readonly places = new Map<T, number>();
 
-  /** The entries; the array stays the same one for the life of the list. */
+  /** The entries; the list keeps the same array for life. */
   get array(): readonly T[] {
     return this.entries;
   }

@@ -26,7 +26,7 @@ test("the rotation of an object is three's, whichever way it is written and read
     const n = angle();
     act(own, n);
     act(plain, n);
-    // not read after each
+    // angles are not read after every change
     if (random() < 0.5) continue;
     expect(own.rotation.toArray()).toEqual(plain.rotation.toArray());
     expect(own.quaternion.toArray()).toEqual(plain.quaternion.toArray());

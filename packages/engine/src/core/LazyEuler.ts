@@ -1,11 +1,11 @@
 import { Euler, type EulerOrder, type Object3D, type Quaternion } from 'three';
 
 /**
- * The angles of a quaternion, computed when they are read. three's own are computed with each change of the quaternion,
- * which is most of what moving a body costs.
+ * Euler angles of a quaternion, computed when read. three recomputes the angles at each change of the quaternion, which
+ * is most of the cost of moving a body.
  */
 class LazyEuler extends Euler {
-  /** The quaternion changed since the angles were computed. */
+  /** Whether the quaternion changed since the angles were computed. */
   isStale = false;
 
   // declared only: Euler's constructor sets the property, and a field's initial value would replace it
@@ -21,7 +21,7 @@ class LazyEuler extends Euler {
     super(0, 0, 0, order);
   }
 
-  // three's methods, and those of other objects that are given this one, read and write these
+  // three's Euler, and methods that take one, read and write these private properties
   get _x(): number {
     this.refresh();
     return this.ownX;

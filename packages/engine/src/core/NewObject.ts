@@ -4,7 +4,7 @@ import type { ComponentClass } from './ComponentClass';
 /** Field values by name. */
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** An object that the Add menu of an editor offers: it has the component whose class names it in `newObjects`. */
+/** An object offered by an editor's Add menu; it gets the component whose class lists it in `newObjects`. */
 export interface NewObject {
   /** Text of the menu entry, in English. */
   readonly label: string;

@@ -3,14 +3,12 @@ import type { FileObject } from './FileObject';
 
 export type { PrefabLink } from './FileObject';
 
-/** A tree of objects to be placed any number of times. It is data: nothing of it is drawn. Never changed in place. */
+/** A tree of objects that can be placed any number of times. Immutable data; not drawn itself. */
 export interface Prefab {
   /** Id of the prefab, and of its root object. */
   readonly id: string;
   readonly name: string;
-  /**
-   * In tree order; the root, which has no parent, is the first. Those of another prefab within it have a link to that.
-   */
+  /** Objects in tree order, the root (without a parent) first. Objects of nested prefabs have a `prefab` link. */
   readonly objects: readonly FileObject[];
 }
 

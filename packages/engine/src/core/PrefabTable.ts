@@ -4,7 +4,7 @@ import { type Prefab, PrefabError } from './Prefab';
 export class PrefabTable {
   private readonly byId = new Map<string, Prefab>();
 
-  /** @param changed - called with the id of a prefab that was set or forgotten */
+  /** @param changed - called with the id of a prefab that was set or deleted */
   constructor(private readonly changed: (id: string) => void) {}
 
   get list(): readonly Prefab[] {
@@ -15,10 +15,7 @@ export class PrefabTable {
     return this.byId.get(id) ?? null;
   }
 
-  /**
-   * Adds a prefab, or replaces the prefab of the same id. Objects of the scene stay as they are: see
-   * `planPrefabChange`.
-   */
+  /** Adds a prefab, or replaces the one of the same id. Existing instances are not updated: see `planPrefabChange`. */
   set(prefab: Prefab): void {
     if (this.byId.get(prefab.id) === prefab) return;
     if (prefab.objects[0]?.id !== prefab.id) throw new PrefabError(prefab.name, 'must begin with its root object.');
@@ -31,7 +28,7 @@ export class PrefabTable {
     if (this.byId.delete(id)) this.changed(id);
   }
 
-  /** Whether a prefab is, or holds at any depth, an instance of another. */
+  /** Whether a prefab is, or contains at any depth, an instance of another. */
   contains(id: string, inner: string): boolean {
     return this.anyContains([id], inner);
   }

@@ -1,6 +1,6 @@
 import type { FarolEffect } from '@farol/renderer';
 
-/** An effect of the renderer without which a component cannot be seen; the component's class names it as `effect`. */
+/** Renderer effect that a component needs to be visible; the component's class names it as `effect`. */
 export interface RequiredEffect {
   /** Class of the effect; null until `load` is done. */
   readonly effectClass: (new () => FarolEffect) | null;

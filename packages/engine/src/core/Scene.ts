@@ -41,7 +41,7 @@ export class Scene implements GameObjectContainer {
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
   /** Views that editors keep with the scene. */
   readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
-  /** Small picture by which editors show the scene's file; null for none. */
+  /** Thumbnail that editors show for the scene's file; null for none. */
   picture: ScenePicture | null = null;
   /** Baked light of the scene. */
   readonly baked: SceneBake = new SceneBake(this);
@@ -51,14 +51,14 @@ export class Scene implements GameObjectContainer {
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   /** @internal */
   readonly childList: GameObject[] = [];
-  /** Camera for picking by pointer events, when the picture is not seen through the active camera; else null. */
+  /** Camera for pointer picking when another camera than the active one draws the picture; else null. */
   pointerCamera: ThreeCamera | null = null;
 
   private readonly index = new SceneIndex();
   private readonly systems = new SceneSystems(this);
   private readonly calls = new ComponentCalls(this, this.index);
   private readonly pointer = new ScenePointer(this, this.index);
-  /** Components that show simulated values, to be reset when the simulation ends. */
+  /** Components with simulated values, which are reset when the simulation ends. */
   private readonly simulatedOnes = new Set<Component>();
   private wasSimulated = false;
   private authored: AuthoredState | null = null;
@@ -153,7 +153,7 @@ export class Scene implements GameObjectContainer {
     return this.wasSimulated;
   }
 
-  /** Grows by one with each edit; simulation leaves it as it is. */
+  /** Counter of edits; simulation does not change it. */
   get revision(): number {
     return this.edits;
   }
@@ -169,7 +169,7 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * Adds an object, with all below it, at the top of the tree; out of wherever it was, its local transform kept.
+   * Moves an object, with its descendants, to the top of the scene's tree; its local transform is kept.
    * @throws Error naming a duplicate id or an unknown asset; nothing has changed then
    */
   add(gameObject: GameObject, index?: number): this {
@@ -177,7 +177,7 @@ export class Scene implements GameObjectContainer {
     return this;
   }
 
-  /** Takes an object out of the scene, wherever in the tree it is; it keeps its ids and may be added again. */
+  /** Removes an object from the scene, at any depth of the tree; it keeps its ids and may be added again. */
   remove(gameObject: GameObject): this {
     if (gameObject.scene !== this)
       throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}': add it first.`);
@@ -210,7 +210,7 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * Advances the time; starts, then updates every active component that wants it, then the systems, then `lateUpdate`.
+   * Advances the time: starts new components, then calls `update` of active components, systems, and `lateUpdate`.
    * @param deltaSeconds - 0 or more
    */
   update(deltaSeconds: number): void {
@@ -226,12 +226,12 @@ export class Scene implements GameObjectContainer {
     this.calls.lateUpdate(deltaSeconds, this.seconds);
   }
 
-  /** The system of a class, made when it is first asked for: see `SceneSystem`. */
+  /** The system of a class, made on first use: see `SceneSystem`. */
   system<T extends SceneSystem>(type: SceneSystemClass<T>): T {
     return this.systems.get(type);
   }
 
-  /** Whether a script's component is not called after an error, until it is changed or the scene is reset. */
+  /** Whether an error has switched a script's component off, until the script changes or the scene is reset. */
   isSwitchedOff(component: Component): boolean {
     return this.index.switchedOff.has(component);
   }
@@ -246,25 +246,25 @@ export class Scene implements GameObjectContainer {
     this.onComponentError(component, error);
   }
 
-  /** @internal A component shows a value that was not authored. */
+  /** @internal Called when a component begins to simulate a value. */
   noteSimulated(component: Component): void {
     this.simulatedOnes.add(component);
   }
 
-  /** @internal Counts one user more or less of a renderer effect. */
+  /** @internal Adds or removes a user of a renderer effect. */
   useEffect(effect: RequiredEffect, isUsed: boolean): void {
     this.index.countEffect(effect, isUsed ? 1 : -1);
   }
 
-  /** Puts everything whose motion depends on time alone at `seconds`: the same in every run. */
+  /** Moves everything whose motion depends on time alone to `seconds`, with the same result in every run. */
   setTime(seconds: number): void {
     this.seconds = seconds;
     this.update(0);
   }
 
   /**
-   * Records the scene's state for the next `reset`, which brings back objects and components that were removed,
-   * disposed of or moved, removes added ones, and restores names, switches and fields. Edits of scripts stay.
+   * Records the scene's state for the next `reset`, which restores objects and components that were removed, disposed
+   * of or moved, removes added ones, and restores names, switches and fields. Edits of scripts stay.
    */
   keepAuthored(): void {
     this.authored ??= new AuthoredState(this);
@@ -323,7 +323,7 @@ export class Scene implements GameObjectContainer {
     this.calls.key(event);
   }
 
-  /** Calls `listener` after each edit of structure, fields or settings. @returns a function that ends it */
+  /** Calls `listener` after each edit of structure, fields or settings. @returns function that removes the listener */
   onChange(listener: (change: SceneChange) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -331,13 +331,13 @@ export class Scene implements GameObjectContainer {
 
   /**
    * Calls `listener` whenever three has brought the world matrices of `three` up to date.
-   * @returns a function that ends it
+   * @returns a function that removes the listener
    */
   onMatricesUpdated(listener: () => void): () => void {
     return this.three.onMatricesUpdated(listener);
   }
 
-  /** Releases the scene's resources. An AssetLibrary that was passed in stays, without this scene's uses. */
+  /** Releases the scene's resources. A library that was passed in stays; the scene's uses in it are released. */
   dispose(): void {
     this.listeners.clear();
     this.endAssets();
@@ -352,7 +352,7 @@ export class Scene implements GameObjectContainer {
     if (this.ownsAssets) this.assets.dispose();
   }
 
-  /** @internal Counts an edit and tells the listeners. */
+  /** @internal Counts an edit and calls the listeners. */
   notify(change: SceneChange): void {
     this.edits++;
     this.authored?.note(change);

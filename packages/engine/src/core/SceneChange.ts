@@ -19,7 +19,7 @@ export type SceneChange =
   | {
       readonly kind: 'component-class';
       readonly gameObject: GameObject;
-      /** Component that the edit of a script replaced by `component`, of another class, with its id and place. */
+      /** Component that was replaced by `component`, with the same id and place, because its script was edited. */
       readonly before: Component;
       readonly component: Component;
     }

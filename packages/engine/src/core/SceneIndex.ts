@@ -17,7 +17,7 @@ const takesObjectPointer = (component: Component): boolean =>
     component.onPointerClick,
   );
 
-/** The lists by which a scene finds things without walking its tree; kept up to date as objects come and go. */
+/** Lists of a scene's components, updated as objects enter and leave, so that no walk of the tree is needed. */
 export class SceneIndex {
   readonly objectsById = new Map<string, GameObject>();
   readonly componentsById = new Map<string, Component>();
@@ -43,13 +43,11 @@ export class SceneIndex {
   /** Components that are not called since they threw. */
   readonly switchedOff = new Set<Component>();
 
-  /** Component lists by the classes and type names asked for so far. */
+  /** Component lists by class or type name, made on the first request. */
   private readonly byType = new Map<ComponentClass | string, IndexedList<Component>>();
   private readonly effectUsers = new Map<RequiredEffect, number>();
 
-  /**
-   * The components of a class or type name; the same array all along. The first call for a type visits every component.
-   */
+  /** Components of a class or type name, always as the same array. The first call for a type visits every component. */
   componentsOf(type: ComponentClass | string): readonly Component[] {
     let list = this.byType.get(type);
     if (!list) {
@@ -76,7 +74,7 @@ export class SceneIndex {
     this.removeFromCalls(component);
   }
 
-  /** Calls all components again that `switchOff` stopped. */
+  /** Resumes calling all components that `switchOff` stopped. */
   switchOn(): void {
     for (const component of this.switchedOff) this.addToCalls(component);
     this.switchedOff.clear();

@@ -1,13 +1,13 @@
 import { parseMicroShader } from '@farol/renderer/microshaders';
 
 /**
- * The microshaders that belong to a scene: texts in place of the renderer's own, and chunks that it adds. The scene only
- * keeps them; `MicroShaderOverrides` brings them into a renderer.
+ * Microshaders of a scene: replacements of the renderer's chunks, and chunks of its own. The scene only stores them;
+ * `MicroShaderOverrides` passes them to a renderer.
  */
 export class SceneMicroShaders {
   private readonly byName = new Map<string, string>();
 
-  /** @param changed - called after a text was set or taken out */
+  /** @param changed - called after a text was set or removed */
   constructor(private readonly changed: (name: string) => void) {}
 
   /** Texts in the form of `.glsl` files, by name. */
@@ -15,12 +15,12 @@ export class SceneMicroShaders {
     return this.byName;
   }
 
-  /** The text of a chunk; undefined where the renderer's own stands. */
+  /** The text of a chunk; undefined when the scene does not replace the renderer's. */
   get(name: string): string | undefined {
     return this.byName.get(name);
   }
 
-  /** Sets the text of a chunk, or takes it out. @throws Error for a name or a text that `parseMicroShader` refuses */
+  /** Sets the text of a chunk; null removes it. @throws Error for a name or a text that `parseMicroShader` refuses */
   set(name: string, text: string | null): void {
     if (text === (this.byName.get(name) ?? null)) return;
     if (text === null) this.byName.delete(name);

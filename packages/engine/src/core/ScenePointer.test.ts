@@ -42,7 +42,7 @@ class Noter extends Component {
   }
 }
 
-/** A canvas of 100 by 100 pixels, seen along -Z from (0, 0, 10): 10 pixels are about 1 m at z = 0. */
+/** A canvas of 100 × 100 pixels with a camera at (0, 0, 10) that faces -Z: 10 pixels are about 1 m at z = 0. */
 class Surface extends EventTarget implements InputSurface {
   getBoundingClientRect() {
     return { left: 0, top: 0, width: 100, height: 100 };
@@ -69,7 +69,7 @@ function box(name: string, x: number, parent?: GameObject): GameObject {
 
 const noterOf = (object: GameObject): Noter => object.getComponent(Noter)!;
 
-/** A frame: what it draws brings the matrices up to date. */
+/** Simulates a frame: updates, and brings world matrices up to date. */
 function frame(): void {
   scene.update(0.01);
   scene.three.updateMatrixWorld();
@@ -88,7 +88,7 @@ beforeEach(() => {
   eye.transform.position = [0, 0, 10];
   scene.add(eye);
   scene.activeCamera!.setViewport(100, 100);
-  // a lamp without a mesh of its own, of a foot and a shade
+  // a lamp without a mesh of its own, with children foot and shade
   lamp = new GameObject('Lamp');
   lamp.addComponent(Noter);
   scene.add(lamp);
@@ -141,7 +141,7 @@ test('a click is a press and a release over one object; of two parts it is the o
   surface.send('pointerdown', 54, 50);
   surface.send('pointerup', 46, 50);
   expect(calls.splice(0).slice(2)).toEqual(['out Shade', 'release Lamp', 'click Lamp']);
-  // drawn too far, and of another button
+  // released too far from the press, then another button
   surface.send('pointerdown', 53.5, 45.5);
   surface.send('pointerup', 62, 55);
   surface.send('pointerdown', 60, 50, { button: 2 });

@@ -31,7 +31,7 @@ interface Pointer {
   moved: EnginePointerEvent | null;
   /** Last event of the pointer, of any type. */
   last: EnginePointerEvent;
-  /** Frames since the object under the pointer was last looked up. */
+  /** Frames since the last pick under the pointer. */
   rested: number;
 }
 
@@ -94,7 +94,7 @@ export class ScenePointer {
     else this.release(pointer, event);
   }
 
-  /** Follows the moves since the last frame, and objects that come under a pointer at rest. */
+  /** Handles the moves since the last frame, and objects that moved under a resting pointer. */
   update(): void {
     const { pointers } = this;
     for (let i = 0; i < pointers.length; i++) {
@@ -128,7 +128,7 @@ export class ScenePointer {
     return false;
   }
 
-  /** Finds the object under a pointer. */
+  /** Picks the object under a pointer. */
   private aim(pointer: Pointer, event: EnginePointerEvent): void {
     const camera = this.scene.pointerCamera ?? this.scene.activeCamera?.three;
     const hit = camera ? hitPoint(this.scene, camera, place.set(event.ndcX, event.ndcY), belongsToObject) : null;

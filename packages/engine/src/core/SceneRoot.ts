@@ -1,6 +1,6 @@
 import { Scene } from 'three';
 
-/** The three scene of a Scene: tells when three has brought its world matrices up to date. */
+/** The three scene of a Scene: notifies listeners when three has updated its world matrices. */
 export class SceneRoot extends Scene {
   private readonly listeners: (() => void)[] = [];
 
@@ -9,7 +9,7 @@ export class SceneRoot extends Scene {
     for (let i = 0; i < this.listeners.length; i++) this.listeners[i]();
   }
 
-  /** Calls `listener` after each update. @returns a function that ends it */
+  /** Calls `listener` after each update. @returns a function that removes the listener */
   onMatricesUpdated(listener: () => void): () => void {
     this.listeners.push(listener);
     return () => {

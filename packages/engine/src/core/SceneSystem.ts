@@ -6,7 +6,7 @@ export interface SceneSystem {
   readonly order: number;
   /**
    * Called in each frame that is simulated, after every component's `update` and before every `lateUpdate`.
-   * @param deltaSeconds - 0 when the scene was put at a time
+   * @param deltaSeconds - 0 when the scene was moved to a time
    * @param time - the scene's time in seconds
    */
   update(deltaSeconds: number, time: number): void;

@@ -5,7 +5,10 @@ export interface SceneView {
   readonly name: string;
   /** Eye position in world space (m). */
   readonly position: Vector3Tuple;
-  /** Point looked at, in world space (m); never the eye. Its distance gives the extent of an orthographic view. */
+  /**
+   * Point that the camera faces, in world space (m); never the eye. Its distance gives the extent of an orthographic
+   * view.
+   */
   readonly target: Vector3Tuple;
   /** Vertical field of view, from 0.01 to 3.1 (rad). */
   readonly fov: number;
@@ -38,7 +41,7 @@ export function viewProblem(view: Readonly<Record<keyof SceneView, unknown>>, me
 export class SceneViews {
   private readonly byPlace = new Map<number, SceneView>();
 
-  /** @param changed - called after a view was set or taken out */
+  /** @param changed - called after a view was set or removed */
   constructor(private readonly changed: (place: number) => void) {}
 
   /** Views with their places, in the order of the places. */
@@ -51,7 +54,7 @@ export class SceneViews {
   }
 
   /**
-   * Sets the view of a place, or removes it (null).
+   * Sets or removes (null) the bookmark of a place.
    * @param place - 1 to 9
    * @throws RangeError for another place, or naming what is wrong with the view
    */

@@ -3,11 +3,11 @@ import type { Component } from './Component';
 
 /** A component that makes the shape of its object: the object's ObjectRenderer draws it in place of its mesh. */
 export interface ShapeSource {
-  /** Geometry of the shape, one object until the shape changes; null for none at present. */
+  /** Geometry of the shape, the same object until the shape changes; null while there is none. */
   readonly shapeGeometry: BufferGeometry | null;
 }
 
-/** The geometry that an enabled component of an object makes; null where none does. */
+/** Geometry of the first enabled ShapeSource among an object's components; null without one. */
 export function shapeOf(components: readonly Component[]): BufferGeometry | null {
   for (const each of components) {
     if (!each.enabled || !('shapeGeometry' in each)) continue;

@@ -18,7 +18,7 @@ beforeEach(() => {
   transform = child.transform;
 });
 
-/** Coordinates to nine places. */
+/** Coordinates rounded to nine decimals. */
 const rounded = (vector: Vector3): number[] => vector.toArray().map((value) => Math.round(value * 1e9) / 1e9 + 0);
 
 describe('axes', () => {

@@ -15,7 +15,7 @@ const UP: Vector3Tuple = [0, 1, 0];
 /**
  * Position, rotation and scale of a GameObject, which has exactly one. The fields are relative to the parent; `get`
  * gives the present values, `getAuthored` those before simulation moved the object. Its methods are edits: they change
- * the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
+ * the authored values. Front is the object's -Z axis, as for three's cameras and spot lights.
  */
 export class Transform extends component({
   position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Position relative to the parent.' }),
@@ -110,7 +110,7 @@ export class Transform extends component({
     this.set('position', world.toArray());
   }
 
-  /** Moves by a vector along the object's own axes, in metres of its parent's space (its scale does not count). */
+  /** Moves by a vector along the object's own axes, in metres of its parent's space (its own scale is ignored). */
   translateLocal(offset: Vector3Input): void {
     const { object3D } = this.gameObject;
     this.set(
@@ -120,7 +120,7 @@ export class Transform extends component({
   }
 
   /**
-   * Turns about an axis of the world through the object's own place, by radians, anticlockwise seen against the axis.
+   * Turns about a world axis through the object's origin, by radians, anticlockwise when the axis points at the viewer.
    */
   rotate(radians: number, axis: Vector3Input): void {
     const { object3D } = this.gameObject;
@@ -138,8 +138,8 @@ export class Transform extends component({
   /** Turns the front to a point of the world. */
   lookAt(target: Vector3Input): void;
   /**
-   * Puts the object at `eye` (in the world) and turns its front to `target`.
-   * @param up - the direction that shall be its top, as far as it can; [0, 1, 0] when absent
+   * Moves the object to `eye` (world space) and turns its front to `target`.
+   * @param up - direction that the top (+Y) turns towards; [0, 1, 0] when absent
    */
   lookAt(eye: Vector3Input, target: Vector3Input, up?: Vector3Input): void;
   lookAt(first: Vector3Input, second?: Vector3Input, up: Vector3Input = UP): void {
@@ -162,7 +162,7 @@ export class Transform extends component({
   }
 }
 
-/** Puts a field of the object back to its authored value. */
+/** Restores a field of the object to its authored value. */
 function restore(transform: Transform, name: string): void {
   place(transform.gameObject.object3D, name, transform.getAuthored(name) as Vector3Tuple);
 }

@@ -2,18 +2,18 @@ import type { CustomField, FieldTable, FieldType, FieldValue } from '@farol/edit
 import { Component } from './Component';
 import type { ComponentClass, ComponentData } from './ComponentClass';
 
-/** A value of a field whose declaration is not known. */
+/** Kind of a field whose declaration is unknown. */
 const data: FieldType = { name: 'data', allows: 'a number, text, true, false, null or [x, y, z]', check: () => true };
 
 /**
- * A component of an unknown class: does nothing, and keeps and saves data that came from a file or a class removed from
- * the registry. Each has a class of its own, whose fields are those named in the data.
+ * A component of an unknown class: does nothing, but keeps and saves the data from a file, or from a class removed from
+ * the registry. Each has a class of its own, with the fields of its data.
  */
 export abstract class UnknownComponent extends Component {
   static override readonly help: string = 'The script or plugin of this component is missing: its data are kept.';
 }
 
-/** The class of a component that holds the data of a class that is not known. */
+/** Makes a class for a component with the data of an unknown class. */
 export function unknownClass({ type, version, values }: ComponentData): ComponentClass<UnknownComponent> {
   // no default, so that every value is saved
   const fieldOf = (): CustomField => ({
@@ -32,7 +32,7 @@ export function unknownClass({ type, version, values }: ComponentData): Componen
   return Unknown;
 }
 
-/** A component on no object, which holds the data of a class that is not known. */
+/** Makes a component, on no object yet, with the data of an unknown class. */
 export function makeUnknownComponent(data: ComponentData): UnknownComponent {
   const component = new (unknownClass(data))();
   for (const name of Object.keys(data.values)) component.set(name, data.values[name]);

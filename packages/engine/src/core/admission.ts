@@ -5,7 +5,7 @@ import type { GameObject } from './GameObject';
 import type { Scene } from './Scene';
 
 /**
- * Checks that an object, with all below it, can come into a scene.
+ * Checks that an object, with its descendants, may be added to a scene.
  * @throws Error naming a duplicate id or an unknown asset
  */
 export function checkSubtree(scene: Scene, gameObject: GameObject): void {
@@ -19,7 +19,7 @@ export function checkSubtree(scene: Scene, gameObject: GameObject): void {
   });
 }
 
-/** Checks that a component can come into a scene. @throws Error when the component names an unknown asset */
+/** Checks that a component may be added to a scene. @throws Error when the component names an unknown asset */
 export function checkComponent(scene: Scene, component: Component): void {
   for (const { name, assetType } of assetFields(component.fields)) {
     const value = component.getAuthored(name);

@@ -4,7 +4,7 @@ import { component } from './Component';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
 
-/** A component that checks nothing by itself. */
+/** A component without checks of its own. */
 class Sign extends component({
   board: asset('mesh', 'box', { help: 'Shape of the board.' }),
   picture: asset('texture', null, { help: 'Picture on the board.' }),

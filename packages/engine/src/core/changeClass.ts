@@ -6,7 +6,7 @@ import type { Scene } from './Scene';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** Runs code of a component's class; errors are reported and stop nothing. */
+/** Runs code of a component's class; errors are reported, not thrown. */
 function attempt(component: Component, scene: Scene | null, run: () => void): void {
   try {
     run();
@@ -17,10 +17,10 @@ function attempt(component: Component, scene: Scene | null, run: () => void): vo
 }
 
 /**
- * Puts a new component of another class in the place of one that is on a GameObject, with its id, its index and whether
- * it is enabled. A started one is destroyed first, and the new one, which is returned, starts; references go on by `currentOf`.
- * @param values - of the fields of the new class, in place of the defaults; those that are not allowed are left out
- * @throws what the constructor of the class throws; nothing has changed then
+ * Replaces a component on a GameObject by a new one of another class, and returns that; id, index and `enabled` are
+ * kept. A started component is destroyed first, and the new one starts. `currentOf` maps references to the new one.
+ * @param values - field values of the new class, in place of the defaults; values that are not allowed are ignored
+ * @throws the error of the class's constructor; nothing has changed then
  */
 export function changeClass(before: Component, type: ComponentClass, values: Values): Component {
   const { gameObject, scene, id, enabled } = before;

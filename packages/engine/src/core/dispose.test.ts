@@ -5,7 +5,7 @@ import { Scene } from './Scene';
 
 const COUNT = 1000;
 
-/** Counts how many entries of a list are looked at to find others. */
+/** Counts the list entries read by searches. */
 function watchSearches(list: unknown[]): () => number {
   let looked = 0;
   list.indexOf = (entry) => {
@@ -30,7 +30,7 @@ test.each([
   scene.add(above);
   const parent = isBelow ? above : scene;
   for (let i = 0; i < COUNT; i++) parent.add(new GameObject('Each'));
-  // what came later than the objects, as meshes of instances do
+  // three objects added after the GameObjects' own, like meshes of instances
   parent.threeParent.add(new Object3D());
   const last = parent.childList.at(-1)!;
   const told: string[] = [];

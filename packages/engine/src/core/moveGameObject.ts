@@ -11,7 +11,7 @@ export interface MoveOptions {
   keepWorld?: boolean;
 }
 
-/** Checks that an object is not put below itself. @returns how many objects deep the container lies; 0 for a scene */
+/** Checks that an object is not moved below itself. @returns depth of the container in objects; 0 for a scene */
 function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): number {
   let above = container === container.scene ? null : (container as GameObject);
   let depth = 0;
@@ -26,10 +26,7 @@ function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): n
   return depth;
 }
 
-/**
- * Checks that a scene does not become deeper than its file may be: level by level, as a tree that is in no scene has no
- * limit.
- */
+/** Checks that a scene does not exceed the maximum depth. Iterative, since a tree in no scene may be of any depth. */
 function checkDepth(gameObject: GameObject, depth: number): void {
   let level: readonly GameObject[] = [gameObject];
   for (let deep = depth + 1; level.length > 0; deep++) {
@@ -69,9 +66,9 @@ function link(gameObject: GameObject, container: GameObjectContainer, index: num
 }
 
 /**
- * Puts a GameObject into a container, out of the one where it is; null takes it out only. Everything is checked before
- * anything changes.
- * @param index - place among the new siblings once it has left the old ones; at the end when absent
+ * Moves a GameObject from its container to another one, or to none (null). Everything is checked before anything
+ * changes.
+ * @param index - place among the new siblings, after the removal from the old ones; at the end when absent
  */
 export function moveGameObject(
   gameObject: GameObject,

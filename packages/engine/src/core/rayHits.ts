@@ -12,9 +12,9 @@ import { hasReadableVertices } from '@farol/renderer/vertex-data';
 import type { Scene } from './Scene';
 
 /**
- * Intersects a raycaster's ray with a mesh in place of three, such as by a tree of its triangles: adds hits to
+ * Intersects a raycaster's ray with a mesh in place of three, for instance with a BVH of its triangles: adds hits to
  * `hits`.
- * @returns false to leave the mesh to three
+ * @returns false when three shall intersect the mesh
  */
 export type MeshCaster = (mesh: Mesh, raycaster: Raycaster, hits: Intersection[]) => boolean;
 
@@ -28,7 +28,7 @@ function isCastable(object: Object3D): boolean {
 }
 
 function castAt(object: Object3D, hits: Intersection[], cast: MeshCaster | undefined): void {
-  // three caches the sphere of the first pose, which the bones may have left
+  // three keeps the bounding sphere of the first pose; the bones may have moved out of it
   if (object instanceof SkinnedMesh) object.computeBoundingSphere();
   const isCast = cast !== undefined && object instanceof Mesh && cast(object, raycaster, hits);
   if (!isCast) raycaster.intersectObject(object, false, hits);
@@ -43,11 +43,11 @@ function collect(object: Object3D, camera: Camera, hits: Intersection[], cast: M
 }
 
 /**
- * First hit of a ray through a point of the picture, as of the last drawn frame; null for none. Bones, morphs
- * and instances count as they are drawn.
+ * First hit of a ray through a point of the picture, with the world matrices of the last frame; null for none. Bones,
+ * morphs and instances are hit as drawn.
  * @param point - normalised device coordinates, -1 to 1, y up
- * @param counts - filter of hits; all count when absent
- * @param cast - casts the ray at meshes; three does when absent
+ * @param counts - filter of hits; all hits when absent
+ * @param cast - intersects meshes in place of three
  */
 export function hitPoint(
   scene: Scene,
@@ -68,9 +68,9 @@ export function hitPoint(
 }
 
 /**
- * All that a ray hits, nearest first, as of the last drawn frame; counted as `hitPoint` does.
- * @param camera - whose layers count
- * @param cast - casts the ray at meshes; three does when absent
+ * All hits of a ray, nearest first, under the same conditions as `hitPoint`.
+ * @param camera - only objects on its layers are hit
+ * @param cast - intersects meshes in place of three
  */
 export function rayHits(scene: Scene, ray: Ray, camera: Camera, cast?: MeshCaster): Intersection[] {
   raycaster.ray.copy(ray);

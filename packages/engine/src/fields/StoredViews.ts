@@ -2,7 +2,7 @@ import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import type { FieldOwner, FieldViews } from './FieldOwner';
 import { entryOf, readStored, type StoredValues, withEntry, storedValue } from './storedValues';
 
-/** Finds fields that an owner has at the moment; the same table while they are the same, null for none. */
+/** Returns the views that an owner has at present, as the same table while they do not change; null for none. */
 export type ViewSource = () => FieldTable | null;
 
 interface Held {
@@ -17,7 +17,7 @@ export class StoredViews implements FieldViews {
   /** Last parsed values, by the name of the field that stores them. */
   private readonly held = new Map<string, Held>();
 
-  /** @param declared - all that the owner declares */
+  /** @param declared - the owner's declared fields */
   constructor(
     private readonly owner: FieldOwner,
     private readonly declared: FieldTable,

@@ -9,7 +9,7 @@ export interface NamedAssetField {
 
 const known = new WeakMap<FieldTable, readonly NamedAssetField[]>();
 
-/** The fields of a table that name assets: found once for each table, since scenes have many components of few types. */
+/** The fields of a table that name assets; cached, since scenes have many components of few types. */
 export function assetFields(fields: FieldTable): readonly NamedAssetField[] {
   let list = known.get(fields);
   if (!list) {

@@ -2,7 +2,7 @@ const known = new WeakMap<FieldTable, readonly string[]>();
 
 import type { FieldTable } from '@farol/editing/fields';
 
-/** The names of the fields of a table that refer to objects: found once for each table. */
+/** Names of the fields of a table that refer to objects; cached. */
 export function objectFields(fields: FieldTable): readonly string[] {
   let list = known.get(fields);
   if (!list) {

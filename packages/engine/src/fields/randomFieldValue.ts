@@ -1,4 +1,4 @@
-/** Times of keys, ascending; two may be the same. */
+/** Ascending times of keys; two may be equal. */
 const timesOf = (random: () => number): number[] =>
   Array.from({ length: 1 + Math.floor(random() * 6) }, () => Math.round(random() * 20) / 20).toSorted((a, b) => a - b);
 
@@ -31,7 +31,7 @@ export function randomFieldValue(field: Field, random: () => number, assetNames:
     case 'gradient':
       return timesOf(random).map((time, i): GradientKey => {
         const colour = [random() * 2, random(), random()] as const;
-        // the first key has both, so that there is one of each
+        // the first key has both colour and opacity, so that the gradient has at least one of each
         const which = i === 0 ? 0 : random();
         return [time, which > 0.7 ? null : colour, which > 0.4 && which < 0.7 ? null : random()];
       });

@@ -1,8 +1,8 @@
 import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/editing/fields';
 
 /**
- * Values of views, see `Field.viewOf`, in the field that holds them: a string field holds those of its views that are
- * not the default, as JSON by entry; an asset field is what its view shows.
+ * Stored values of views (see `Field.viewOf`), by the field that stores them: a string field stores its views'
+ * non-default values as a JSON object; an asset field stores the value of its one view.
  */
 export type StoredValues = Readonly<Record<string, FieldValue>>;
 
@@ -11,7 +11,7 @@ export const entryOf = (name: string): string => name.slice(name.indexOf('.') + 
 
 const isEntry = (field: Field): boolean => field.kind !== 'asset';
 
-/** The value of a view; its default where none is stored, or one that it does not allow. */
+/** The value of a view; its default where none, or an invalid one, is stored. */
 export function storedValue(field: Field, stored: FieldValue | undefined): FieldValue {
   return stored === undefined || checkFieldValue(field, stored) !== null ? field.default : stored;
 }
@@ -21,7 +21,7 @@ export function viewedValue(values: StoredValues, name: string, field: Field): F
   return isEntry(field) ? storedValue(field, readStored(String(held ?? ''))[entryOf(name)]) : (held ?? field.default);
 }
 
-/** Values of a file with another value of a view. */
+/** A copy of stored values in which one view's value is changed. */
 export function withViewedValue(values: StoredValues, name: string, field: Field, value: FieldValue): StoredValues {
   const place = field.viewOf!;
   const { [place]: held, ...others } = values;

@@ -16,8 +16,8 @@ export type { Prefab } from '../core/Prefab';
 export const FILE_VERSION = 3;
 
 /**
- * An asset that is read from an address, or from a file beside the scene in a `.farol` container, or is made of
- * fields (a material, script or clip): one of the three.
+ * Asset in a scene file: read from an address (`url`), from a file in the `.farol` container (`file`), or made of field
+ * values (`values`: a material, script or clip). Exactly one of the three is present.
  */
 export interface FileAsset {
   /** Name of the asset with its folder: 'Props/robot.glb'. */
@@ -43,19 +43,19 @@ export interface FarolFile {
   name: string;
   /** Fields of SceneSettings that differ from their defaults. */
   settings: Record<string, FieldValue>;
-  /** Id of the GameObject whose Camera is looked through, or null. */
+  /** Id of the GameObject with the active Camera, or null. */
   activeCamera: string | null;
   assets: FileAsset[];
   /** Paths of asset folders, also empty ones: 'Props/Lamps'. None when absent. */
   assetFolders?: string[];
   /**
-   * Microshaders of the scene, in place of the renderer's own or besides them: text in the form of a `.glsl` file (see
-   * the renderer's `parseMicroShader`) by name. None when absent.
+   * Microshaders of the scene, which replace or add to the renderer's: text in the form of a `.glsl` file (see the
+   * renderer's `parseMicroShader`) by name. None when absent.
    */
   microShaders?: Record<string, string>;
-  /** Views that editors keep, by their places. None when absent. */
+  /** Camera bookmarks of editors. None when absent. */
   views?: FileView[];
-  /** Small picture of the scene, by which lists of files show it. None when absent. */
+  /** Thumbnail of the scene for lists of files. None when absent. */
   picture?: ScenePicture;
   /** Prefabs of the scene; none when absent. */
   prefabs?: Prefab[];

@@ -4,8 +4,8 @@ import { shortText } from '@farol/editing';
 export type PathLike = string | FilePath;
 
 /**
- * A path in a file, such as `objects[3].components[1].values`. Its text is made when a message asks for it: large files
- * have hundreds of thousands of paths, and few messages.
+ * A path in a file, such as `objects[3].components[1].values`. Its text is made for messages only: large files have
+ * hundreds of thousands of paths, and few messages.
  */
 export class FilePath {
   constructor(

@@ -1,7 +1,7 @@
 import type { AssetUse } from './assetUses';
 import type { FileAsset } from './FarolFile';
 
-/** Greatest number of '/' in a name that are tried as the end of a model's name, as in 'robot.glb/mesh-1'. */
+/** Greatest number of '/' in a part's name at which the name of its model may end, as in 'robot.glb/mesh-1'. */
 const SLASHES = 32;
 
 /** Assets that a scene file contains, by name. */
@@ -12,7 +12,7 @@ export class OwnAssets {
     this.byName = new Map(assets.map((asset) => [asset.name, asset]));
   }
 
-  /** Asset of this name, else the model that it may be a part of; null when there is neither. */
+  /** Asset of this name, else the model of which it may be a part; null for neither. */
   find(name: string): FileAsset | null {
     return this.byName.get(name) ?? this.modelOf(name);
   }

@@ -23,7 +23,7 @@ interface Step {
  * visited once, without recursion; no objects are made.
  */
 export class PrefabSizes {
-  /** Cycles of prefabs that contain themselves: their ids, first and last the same. */
+  /** Cycles of prefabs that contain themselves, each as a list of ids whose first and last are equal. */
   readonly rings: string[][] = [];
 
   private readonly found = new Map<string, { readonly depth: number; readonly size: number }>();

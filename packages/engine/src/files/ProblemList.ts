@@ -9,7 +9,7 @@ export type JsonRecord = Record<string, unknown>;
 export const isRecord = (value: unknown): value is JsonRecord =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** Collects the problems of a file, and reads its typed parts. */
+/** Collects the problems of a file while its values are read with a check of their types. */
 export class ProblemList {
   readonly problems: FileProblem[] = [];
 
@@ -83,7 +83,7 @@ export function sampleOf(names: Iterable<string>, most = 8): string {
   return shown.join(', ') || 'none';
 }
 
-/** The way round a ring, first and last the same, for messages: 'a below b below a'. */
+/** A cycle of names, first and last equal, as text for messages: 'a below b below a'. */
 export function ringOf(names: readonly string[], word: string): string {
   const short = names.map((name) => shortText(name, 24));
   if (short.length > 6) short.splice(4, short.length - 5, '…');

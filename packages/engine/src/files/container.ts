@@ -11,7 +11,7 @@ export interface ContainerContent {
   readonly files: ReadonlyMap<string, Blob>;
 }
 
-/** The scene as a file, and the assets that belong into its container. */
+/** Splits a scene into its JSON file and the asset files of its container. */
 export function containerContent(scene: Scene): ContainerContent {
   const file = serialize(scene);
   const files = new Map<string, Blob>();
@@ -33,7 +33,7 @@ export async function writeContainer({ file, files }: ContainerContent): Promise
   );
   const { zipSync } = await import('three/addons/libs/fflate.module.js');
   const scene = new TextEncoder().encode(`${JSON.stringify(file, null, 1)}\n`);
-  // a fixed date: the same scene is the same file
+  // a fixed date, so that equal scenes give equal bytes
   const mtime = new Date(2000, 0, 1);
   return zipSync({ [SCENE_ENTRY]: [scene, { level: 1 }], ...Object.fromEntries(entries) } as never, {
     mtime,

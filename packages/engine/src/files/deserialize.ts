@@ -25,23 +25,22 @@ export interface DeserializeOptions {
   /** Library for the scene's assets; the scene makes a library of its own when absent. */
   assets?: AssetLibrary;
   registry?: ComponentRegistry;
-  /** The bytes of a file of the container that the scene came in, such as 'assets/robot.glb'; null when it has none. */
+  /** Returns the bytes of a file of the scene's container, such as 'assets/robot.glb'; null when it has none. */
   fileOf?: (path: string) => Blob | null;
   /**
-   * Asked once, before any fetch, when the file names addresses of foreign origins: true for all, false for
-   * none, or the origins that may be asked. What is refused stays away, told by an AddressRefusedError to
-   * `assets.onChange`; the rest of the scene opens. From then on the library fetches from those origins only. All are
-   * fetched when absent.
+   * Called once, before any fetch, when the file names addresses of other origins. Returns true for all, false for
+   * none, or the origins allowed; from then on the library fetches from those only. A refused asset is not loaded, and
+   * `assets.onChange` gets an AddressRefusedError; the rest of the scene opens. All are fetched when absent.
    */
   mayFetch?: (addresses: readonly ForeignAddress[]) => MayFetch | Promise<MayFetch>;
   /** Cancels opening: the scene is disposed of, and loads that only the scene needs are aborted. */
   signal?: AbortSignal;
 }
 
-/** Foreign origins that may be fetched from: true for all that were asked about, false for none, or a list. */
+/** Foreign origins that may be fetched from: true for all in the question, false for none, or a list. */
 export type MayFetch = boolean | Iterable<string>;
 
-/** Registers the file's own assets that the library does not have, their names in `registered`. */
+/** Registers the file's own assets that the library lacks, and adds their names to `registered`. */
 async function registerAssets(
   file: FarolFile,
   assets: AssetLibrary,
@@ -100,7 +99,7 @@ async function loadAssets(
   signal?: AbortSignal,
 ): Promise<void> {
   const own = new OwnAssets(file.assets);
-  /** Asset to load so that a name is known: the model for a name of its part, else the asset itself. */
+  /** Asset whose loading makes a name known: the model for a name of its part, else the asset itself. */
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
   const needed = new Map(uses.map((use) => [loadedFor(use.name), use]));
   // materials are made when first drawn, after their textures are loaded
@@ -128,7 +127,7 @@ async function loadAssets(
   problems.throwIfAny();
 }
 
-/** Asks whether the foreign addresses of a file may be fetched. @returns the origins that may; null for any */
+/** Asks whether the foreign addresses of a file may be fetched. @returns the allowed origins; null for any */
 async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions): Promise<ReadonlySet<string> | null> {
   if (!mayFetch) return null;
   const addresses = foreignAddresses(file);
@@ -138,11 +137,10 @@ async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions)
 }
 
 /**
- * Makes a scene of a file: all of it or nothing. Waits for the assets that it names, the normals of their meshes, and
- * its sky.
- * @param file - a FarolFile, JSON text, or what JSON.parse made of it; it is checked in any case
- * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; what `options.signal` was
- * aborted with
+ * Makes a scene from a file, completely or not at all. Waits for the assets in use, the normals of their meshes, and
+ * the sky.
+ * @param file - a FarolFile, JSON text, or parsed JSON; always checked
+ * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; the signal's abort reason
  */
 export async function deserialize(file: unknown, options: DeserializeOptions = {}): Promise<Scene> {
   const { signal } = options;

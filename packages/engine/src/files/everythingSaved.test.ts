@@ -8,10 +8,10 @@ import { deserialize } from './deserialize';
 import { FILE_VERSION, type FarolFile, type FileComponent, type FileObject, type Prefab } from './FarolFile';
 import { serialize } from './serialize';
 
-/** Names of a type's properties that are no methods. */
+/** Names of a type's properties other than methods. */
 type PropertyOf<T> = { [P in keyof T]: T[P] extends (...values: never) => unknown ? never : P }[keyof T];
 
-/** Kept in files, with a value other than the default; or why no file holds it. */
+/** A non-default value that files keep, or the reason why no file holds the property. */
 type Row<P extends PropertyOf<GameObject>> = { readonly saved: GameObject[P] } | { readonly notSaved: string };
 
 /** Every property of an object: a property that is added to GameObject and not listed here is a type error. */
@@ -41,7 +41,7 @@ const saved = Object.entries(properties).flatMap(([name, row]) =>
   'saved' in row ? [[name as PropertyOf<GameObject>, row.saved] as const] : [],
 );
 
-/** A lantern of which the prefab `lantern` was made, in a scene. */
+/** Makes a scene with a lantern that is an instance of the prefab `lantern`. */
 function makeLantern(): { scene: Scene; lantern: GameObject } {
   const scene = new Scene();
   const lantern = new GameObject('Lantern');
@@ -83,7 +83,7 @@ const light: Required<FileComponent> = {
   values: { intensity: 7 },
 };
 
-/** Every member that an object in a file can have, none with its default. */
+/** An object with every member that a file allows, none with its default. */
 const lamp: Required<FileObject> = {
   id: 'lamp',
   name: 'Lamp',
@@ -107,7 +107,7 @@ const prefab: Required<Prefab> = {
   ],
 };
 
-/** Every member that a file can have, none with its default. */
+/** A file with every member that is allowed, none with its default. */
 const file: Required<FarolFile> = {
   format: 'farol-scene',
   version: FILE_VERSION,

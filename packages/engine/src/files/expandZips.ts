@@ -7,12 +7,12 @@ import type { MayUnpack } from '../guard/unpack';
 const isLitter = (path: string): boolean => /(^|\/)(__MACOSX\/|\.DS_Store$|Thumbs\.db$)/.test(path);
 
 /**
- * Files with each ZIP among them replaced by what it holds, as if its folder had been dropped: 'sponza.zip' with
- * 'textures/wall.png' in it gives 'sponza/textures/wall.png'.
- * @param mayUnpack - asked before one becomes large; such a one is refused when absent. See `unpackLimits`
- * @param onProblem - told of a ZIP that cannot be read, which is left out then
- * @throws Error (as a rejection) that names the ZIP and what is wrong with it, where nobody is told; AbortError when
- * `mayUnpack` answers no
+ * Replaces each ZIP among files by its content, as if a folder had been dropped: 'sponza.zip' with 'textures/wall.png'
+ * in it gives 'sponza/textures/wall.png'.
+ * @param mayUnpack - called before a large ZIP is unpacked; large ones are refused when absent. See `unpackLimits`
+ * @param onProblem - called for a ZIP that cannot be read, which is then skipped
+ * @throws Error (as a rejection) that names the ZIP and what is wrong with it, without `onProblem`; AbortError when
+ *   `mayUnpack` returns false
  */
 export async function expandZips(
   files: FileMap,

@@ -90,7 +90,7 @@ end_header
 3 0 1 2
 `;
 
-/** A library that notes what is asked for, and has the mesh of the page only. */
+/** A library that records requested addresses, and can only load the page's own mesh. */
 function library(): { assets: AssetLibrary; asked: [string, boolean | undefined][] } {
   const asked: [string, boolean | undefined][] = [];
   const assets = new AssetLibrary({
@@ -138,7 +138,7 @@ describe('foreign addresses of a scene', () => {
       .components.slice(1)
       .map((each) => each.authoredValues());
     expect(saved).toMatchObject(file().objects[0].components.map(({ values }) => values));
-    // the host's own addresses are no business of the scene's
+    // addresses of the host need no permission
     await assets.load('logo');
     expect(asked.at(-1)).toEqual(['https://host.example/logo.ply', false]);
     scene.dispose();
@@ -201,7 +201,7 @@ test('an address beside the page that a scene names is not followed to another p
     await assets.load(name).catch((error: Error) => said.push(error.message));
   vi.unstubAllGlobals();
   expect(asked.map(([, redirect]) => redirect)).toEqual([undefined, 'error', 'error']);
-  expect(said[1]).toMatch(/cannot be reached, or sends on to another address\.$/);
+  expect(said[1]).toMatch(/cannot be reached, or sends on to another address: check the address\.$/);
 });
 
 test('a model of which parts alone are used stays in the file', async () => {

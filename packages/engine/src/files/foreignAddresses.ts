@@ -1,20 +1,19 @@
 import { foreignOrigin } from '../assets/foreignOrigin';
 import type { FarolFile } from './FarolFile';
 
-/** An address in a scene file that leads away from the page. */
+/** An address of another origin in a scene file. */
 export interface ForeignAddress {
   /** Name of the asset at the address. */
   readonly asset: string;
   readonly url: string;
-  /** Origin that the user is asked about: 'https://example.com'. */
+  /** Origin that the user must allow: 'https://example.com'. */
   readonly origin: string;
 }
 
 /**
- * Every address in a scene that leads to another origin, or by another scheme than the page's, `data:` and `blob:`,
- * before any of it is fetched. Models cannot name more: those that are read from an address or from the file must be
- * whole.
- * @param file - checked, as `parseFile` gives it: prefabs, materials and microshaders name assets only
+ * Every address in a scene of another origin, or of another scheme than the page's, `data:` and `blob:`, so that it can
+ * be checked before a fetch. Models add none: a model read from an address or from the file must be self-contained.
+ * @param file - result of `parseFile`; prefabs, materials and microshaders name assets, not addresses
  * @param base - address of the page; the document's when absent
  */
 export function foreignAddresses(file: Pick<FarolFile, 'assets'>, base?: string): ForeignAddress[] {

@@ -28,23 +28,23 @@ const object = (id: string, parent: string | null = null, prefab?: string): File
   components: [],
 });
 
-/** Each object below the one before it. */
+/** A chain of `count` objects, each the child of the previous one. */
 const chain = (count: number): FileObject[] =>
   Array.from({ length: count }, (_, i) => object(`o${i}`, i === 0 ? null : `o${i - 1}`));
 
-/** Prefabs that hold the one before `times` times each, without a circle. */
+/** Prefabs that each contain the previous one `times` times. */
 const nest = (count: number, times: number): Prefab[] =>
   Array.from({ length: count }, (_, i) => {
     const inner = Array.from({ length: i === 0 ? 0 : times }, (_, n) => object(`p${i}-${n}`, `p${i}`, `p${i - 1}`));
     return { id: `p${i}`, name: `p${i}`, objects: [object(`p${i}`), ...inner] };
   });
 
-/** Steps for each letter of a file, at most: twice what any of these files takes. */
+/** Greatest number of steps per character of a file: twice what any of these files takes. */
 const STEPS = 4;
 
 const lettersOf = (input: unknown): number => (typeof input === 'string' ? input : JSON.stringify(input)).length;
 
-/** Error that a file is refused with, after work that grows with its size alone. */
+/** Error that refuses a file, after work that is linear in its size. */
 async function refusal(input: unknown, options?: Parameters<typeof parseFile>[1]): Promise<FileError> {
   let thrown: unknown = null;
   const work = await workOf(() => {
@@ -62,7 +62,7 @@ async function refusal(input: unknown, options?: Parameters<typeof parseFile>[1]
 
 describe('a file is checked by work that grows with its size alone', () => {
   test('prefabs that hold one another without a circle', async () => {
-    // each holds all before it: as many ways through them as 2 to the 22nd
+    // each contains all earlier ones: 2²² paths through them
     const prefabs = Array.from({ length: 23 }, (_, i): Prefab => {
       const inner = Array.from({ length: i }, (_, n) => object(`p${i}-${n}`, `p${i}`, `p${n}`));
       return { id: `p${i}`, name: `p${i}`, objects: [object(`p${i}`), ...inner.slice(0, 2)] };
@@ -181,7 +181,7 @@ test('a prefab is looked for in others in one visit to each, and must not come t
     expect(scene.prefabs.contains('p35', 'none')).toBe(false);
     expect(scene.prefabs.contains('p35', 'p0')).toBe(true);
   });
-  // 36 prefabs, twice; as many ways through them as the 36th Fibonacci number
+  // 36 prefabs, twice; as many paths as the 36th Fibonacci number
   expect(work).toBeLessThan(2000);
   expect(() => changePrefab(scene, { ...prefabs[0], objects: [object('p0'), object('x', 'p0', 'p35')] })).toThrow(
     /'p0' would hold itself/,

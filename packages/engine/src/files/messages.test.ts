@@ -18,7 +18,7 @@ function messageOf(run: () => unknown): string {
   throw new Error('Nothing was thrown.');
 }
 
-/** Problem of a message; '' when short and printable. */
+/** Flaw of a message; '' when it is short and printable. */
 function flawOf(message: string): string {
   if (message.length >= 2000) return `${message.length} letters`;
   // oxlint-disable-next-line no-control-regex -- these must not be in it

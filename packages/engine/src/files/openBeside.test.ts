@@ -3,7 +3,7 @@ import { handoverMessages, openBeside } from './openBeside';
 
 type Listener = (event: { source: unknown; origin: string; data: unknown }) => void;
 
-/** The window that is opened. */
+/** Stands for the opened window. */
 function fakePage() {
   const sent: { message: { type: string; bytes?: ArrayBuffer }; origin: string; transfer: unknown }[] = [];
   return {
@@ -48,7 +48,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** Opens the Lab as far as its address. */
+/** Opens the Lab, up to the address of its window. */
 async function open(options = {}) {
   const page = fakePage();
   const host = fakeHost(page);

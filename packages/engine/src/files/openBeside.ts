@@ -1,19 +1,19 @@
 import { shortText } from '@farol/editing';
 
-/** A scene to be handed to another page. */
+/** A scene to pass to another page. */
 export interface HandedScene {
   readonly name: string;
-  /** A scene file: see `writeContainer`. Asked for each time the other page asks; the bytes are given away. */
+  /** Makes a scene file (see `writeContainer`); called for each request, since the bytes are transferred. */
   bytes(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-/** `type` of the messages by which one page hands a scene to another. */
+/** `type` of the messages by which one page passes a scene to another. */
 export const handoverMessages = {
-  /** The opened page asks for the scene. */
+  /** Request of the opened page for the scene. */
   wanted: 'farol-scene-wanted',
   /** The scene: with `name` and `bytes`, an ArrayBuffer. */
   scene: 'farol-scene',
-  /** No scene can be sent; `problem` is a sentence that tells why. */
+  /** No scene can be sent; `problem` is a sentence with the reason. */
   failed: 'farol-scene-failed',
 } as const;
 
@@ -23,9 +23,9 @@ export interface OpenBesideOptions {
   readonly path?: string;
   /** Fragment of the address, after `#`. */
   readonly fragment?: string;
-  /** Handed over when the page asks for it; the address says `?from=` and the own origin then. */
+  /** Scene passed to the page on request; the address then gets `?from=` with the present origin. */
   readonly scene?: HandedScene;
-  /** Time after which a page that has not asked is given up (ms). Default 30 s. */
+  /** Time (ms) to wait for the page's request. Default 30 s. */
   readonly patience?: number;
   /** Window that opens the page; the global one when absent. */
   readonly host?: Pick<Window, 'open' | 'location' | 'addEventListener' | 'removeEventListener'>;
@@ -35,14 +35,14 @@ export interface OpenBesideOptions {
 const LOOK = 2000;
 
 /**
- * Opens another app in a window of its own, found by the file `apps.json` beside the page, and hands it a scene. Call
- * it while a click or a key is answered, or the browser blocks the window. The scene goes to the very window and origin
- * that were opened and to nobody else; a page that is loaded anew gets it again.
+ * Opens another app in a window, at the address that the file `apps.json` beside the page gives, and passes it a scene.
+ * Call it in the handler of a click or key, or the browser blocks the window. The scene is sent only to the opened
+ * window and origin, again after a reload.
  *
  * @param app - key in `apps.json`: 'lab'
- * @param label - what messages call the app: 'the Lab'
- * @throws Error (as a rejection) of a sentence with the mend: the window is blocked, nobody knows where the app is, it
- * does not ask, or the scene cannot be packed
+ * @param label - name of the app in messages: 'the Lab'
+ * @throws Error (as a rejection) of a sentence with the mend: the window is blocked, `apps.json` lacks the app, the
+ *   page sends no request, or the scene cannot be packed
  */
 export async function openBeside(
   app: string,
@@ -79,14 +79,14 @@ async function addressOf(app: string, label: string, page: string): Promise<URL>
     const answer = await fetch(list);
     if (answer.ok) addresses = (await answer.json()) as Record<string, unknown>;
   } catch {
-    // a list of addresses that cannot be read counts as none
+    // an unreadable `apps.json` counts as empty
   }
   const text = addresses?.[app];
   let address: URL | null = null;
   try {
     if (typeof text === 'string') address = new URL(text, list);
   } catch {
-    // the listed text is no valid address
+    // invalid address in `apps.json`
   }
   if (!address || !/^https?:$/.test(address.protocol)) {
     throw new Error(`The address of ${label} is unknown: write it into ${shortText(list.href, 120)}.`);
@@ -94,7 +94,7 @@ async function addressOf(app: string, label: string, page: string): Promise<URL>
   return address;
 }
 
-/** @returns fulfilled when the page has the scene for the first time */
+/** @returns a promise that resolves once the page has the scene */
 function handOver(
   host: NonNullable<OpenBesideOptions['host']>,
   page: Window,

@@ -33,7 +33,7 @@ export function decodedUri(uri: string): string {
 /**
  * Packs a .gltf and the files that it names into one GLB, unchanged otherwise.
  * @param bytes - the .gltf
- * @param find - the bytes of a file that it names; null when there is none
+ * @param find - returns the bytes of a file that the glTF names; null when missing
  * @throws Error naming every file that is missing
  * @see glTF 2.0, 4.4
  */

@@ -6,10 +6,10 @@ function textOf(bytes: Uint8Array): string {
 }
 
 /**
- * Puts the tilt of lamps that a photometric file has in another file into it, unchanged otherwise.
+ * Embeds the tilt file that a photometric file names (TILT=file) into it, unchanged otherwise.
  * @param bytes - the .ies
- * @param find - the bytes of the file that it names; null when there is none
- * @returns the same bytes where it names none, or that one is missing: reading it then says so
+ * @param find - returns the bytes of the tilt file; null when missing
+ * @returns the same bytes when it names none or the tilt file is missing, which reading the result reports
  * @see ANSI/IES LM-63-19: TILT=INCLUDE
  */
 export async function packIES(

@@ -25,7 +25,7 @@ import { checkLinks, checkSizes, readPrefabs } from './readPrefabs';
 export interface ParseOptions {
   /** Component types to read; the built-in ones when absent. */
   registry?: ComponentRegistry;
-  /** When given, every asset that the file names must be in it, or among the file's own. */
+  /** Library that must have every asset that the file names and does not contain. Not checked when absent. */
   assets?: AssetLibrary;
 }
 
@@ -113,11 +113,11 @@ function checkCamera(id: unknown, objects: readonly FileObject[], problems: Prob
 }
 
 /**
- * Reads and checks a scene file, and brings older components up to date. Makes nothing but a copy of the data.
- * @param input - JSON text, or what JSON.parse made of it
+ * Reads and checks a scene file, and brings older components up to date. Only copies the data; makes no objects.
+ * @param input - JSON text, or parsed JSON
  * @throws FileError listing everything that is wrong: no JSON, another format, a newer version, unknown components and
- * fields, newer component versions, values of another type or out of range, duplicate ids, missing parents, cycles,
- * and, when `options.assets` is given, missing assets
+ *   fields, newer component versions, values of another type or out of range, duplicate ids, missing parents, cycles,
+ *   and, when `options.assets` is given, missing assets
  */
 export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile {
   const registry = options.registry ?? builtinComponents;
@@ -136,7 +136,7 @@ const headKeys = [
 /**
  * First half of `parseFile`, without the search for missing assets.
  * @param problems - receives the problems
- * @throws FileError when nothing of the file can be read
+ * @throws FileError when the file cannot be read at all
  */
 export function readFile(input: unknown, registry: ComponentRegistry, problems: ProblemList): FarolFile {
   const raw = migrateFile(checkHead(typeof input === 'string' ? parseJson(input) : input));
@@ -164,7 +164,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
   };
 }
 
-/** The uses of assets that neither a library nor the file itself may have. @param uses - those of the file */
+/** Uses of assets that neither the library nor the file contains. @param uses - all uses in the file */
 export function missingAssets(file: FarolFile, uses: readonly AssetUse[], assets: AssetLibrary): AssetUse[] {
   const own = new OwnAssets(file.assets);
   return uses.filter((use) => !assets.has(use.name) && !own.mayHold(use));

@@ -49,7 +49,7 @@ test('lumens of a light with a profile are those of its file, dimmed as its inte
   const { scene, light } = await litScene();
   const { luminousFlux } = scene.assets.profile(NAME);
   light.intensityUnit = 'lumen';
-  // 0.5 cd of the file's largest 48 cd
+  // 0.5 cd, where the file's largest value is 48 cd
   expect(shownIntensity(light).value).toBeCloseTo((luminousFlux * 0.5) / 48, 6);
   expect(light.profileSolidAngle).toBeCloseTo(luminousFlux / 48, 6);
   light.profile = null;

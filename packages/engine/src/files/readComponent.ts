@@ -7,7 +7,7 @@ import type { FileComponent } from './FarolFile';
 import type { PathLike } from './FilePath';
 import { isRecord, join, type JsonRecord, type ProblemList } from './ProblemList';
 
-/** Reads field values: those that a table declares, each of its kind and in its range. */
+/** Reads field values: only those that a table declares, with checks of kind and range. */
 export function readValues(
   value: unknown,
   fields: FieldTable,
@@ -28,7 +28,7 @@ export function readValues(
   return values;
 }
 
-/** Values written by an older version of the component, brought up to date; null, and a problem, when that fails. */
+/** Migrates values of an older version of the component; null, and a problem, when that fails. */
 function migrate(type: ComponentClass, record: JsonRecord, path: PathLike, problems: ProblemList): unknown {
   const values = problems.record(record.values, join(path, 'values'));
   const at = join(path, 'version');
@@ -57,7 +57,7 @@ function migrate(type: ComponentClass, record: JsonRecord, path: PathLike, probl
   }
 }
 
-/** Reads the values of a type that is not known: whatever a field may hold. */
+/** Reads the values of an unknown type: any value that a field may have. */
 function readUnknownValues(value: unknown, path: PathLike, problems: ProblemList): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   for (const [name, each] of Object.entries(problems.record(value, path))) {
@@ -72,7 +72,7 @@ function readUnknownValues(value: unknown, path: PathLike, problems: ProblemList
   return values;
 }
 
-/** Reads the values that fit the fields of a script's class: others were written before the script was changed. */
+/** Reads the values that fit the fields of a script's class; the script may have changed since they were written. */
 function readFittingValues(
   value: unknown,
   fields: FieldTable,

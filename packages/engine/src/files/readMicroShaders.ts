@@ -2,7 +2,7 @@ import { parseMicroShader } from '@farol/renderer/microshaders';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';
 
-/** Reads the microshaders of a scene file: texts by name. Whether they compile only a renderer can tell. */
+/** Reads the microshaders of a scene file: texts by name. Only a renderer can compile them. */
 export function readMicroShaders(value: unknown, path: PathLike, problems: ProblemList): Record<string, string> {
   const texts: [string, string][] = [];
   for (const [name, given] of Object.entries(problems.record(value, path))) {
@@ -15,6 +15,6 @@ export function readMicroShaders(value: unknown, path: PathLike, problems: Probl
       problems.add(at, (error as Error).message);
     }
   }
-  // '__proto__' is a name as any other here
+  // fromEntries makes '__proto__' an ordinary key
   return Object.fromEntries(texts);
 }

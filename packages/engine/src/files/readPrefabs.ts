@@ -9,7 +9,7 @@ import type { PathLike } from './FilePath';
 import { join, type ProblemList, ringOf, sampleOf } from './ProblemList';
 import { readObjects } from './readObjects';
 
-/** Names links to prefabs that are not among those known by their ids. A source that is not in its prefab any more is no problem: it was removed. */
+/** Reports links to unknown prefabs. A link to an object that the prefab no longer has is no problem. */
 export function checkLinks(
   objects: readonly FileObject[],
   path: PathLike,
@@ -25,7 +25,7 @@ export function checkLinks(
   });
 }
 
-/** Checks that no prefab is within itself, and that instances, once whole, are not too deep and not too many objects. */
+/** Checks that no prefab contains itself, and that expanded instances are neither too deep nor too many objects. */
 export function checkSizes(
   prefabs: readonly Prefab[],
   objects: readonly FileObject[],
@@ -49,7 +49,7 @@ export function checkSizes(
   else if (sizes.sizeOfObjects(objects) > fileLimits.objects) problems.add('objects', many);
 }
 
-/** Reads the prefabs of a file, and checks that each has one root of its own id and that none is within itself. */
+/** Reads a file's prefabs, and checks that each has one root with the prefab's id and that none contains itself. */
 export function readPrefabs(
   value: unknown,
   path: PathLike,

@@ -3,7 +3,7 @@ import { FileError } from '../guard/FileError';
 import { isInZip, readZip } from '../guard/zip/readZip';
 import type { MayUnpack } from '../guard/unpack';
 
-/** A scene file that was read: the scene as text, and the files that came with it. */
+/** A scene file, unpacked: the text of the scene, and its other files. */
 export interface SceneFile {
   readonly text: string;
   /** Bytes of a file in the container; null for none. */
@@ -16,16 +16,15 @@ const fail = (problem: string, cause?: unknown): never => {
   throw new FileError([{ path: '', problem }], { cause });
 };
 
-/** Whether bytes are a container of a scene, whatever its name says; it is not read. */
+/** Whether bytes are a container of a scene, whatever the file's name; only its directory is read. */
 export const isContainer = (bytes: Uint8Array<ArrayBuffer>): boolean => isInZip(bytes, SCENE_ENTRY);
 
 /**
- * Reads a scene file: a `.farol` container, or plain JSON. The scene is not checked here: give it to `deserialize`,
- * with
- * `fileOf`.
- * @param mayUnpack - asked before the container becomes large; such a one is refused when absent. See `unpackLimits`
+ * Reads a scene file: a `.farol` container, or plain JSON. `deserialize` checks the scene; pass it `fileOf` too.
+ * @param mayUnpack - called before a large container is unpacked; large ones are refused when absent. See
+ *   `unpackLimits`
  * @throws FileError (as a rejection) when the bytes are neither, are cut short, or become too large; AbortError when
- * `mayUnpack` answers no
+ *   `mayUnpack` returns false
  */
 export async function readSceneFile(bytes: Uint8Array, mayUnpack?: MayUnpack): Promise<SceneFile> {
   if (bytes.length === 0) fail('The file is empty: open another copy of it.');

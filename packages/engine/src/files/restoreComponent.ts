@@ -5,7 +5,7 @@ import { ProblemList } from './ProblemList';
 import { readComponent } from './readComponent';
 
 /**
- * Makes a component, on no object, of data whose class is now registered: checked and migrated to the class's version.
+ * Makes a component, on no object yet, from checked and migrated data whose class is now registered.
  * @throws FileError listing what is wrong with the data; Error for a type that the registry does not know
  */
 export function restoreComponent(data: ComponentData, registry: ComponentRegistry): Component {

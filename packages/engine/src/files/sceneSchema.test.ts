@@ -72,14 +72,14 @@ describe.each(tables)('%s', (_name, fields) => {
     for (const value of [...allowed, field.default, ...strange]) {
       const isAllowed = checkFieldValue(field, value) === null;
       const isValid = check({ [name]: value });
-      // what a custom field allows is known to its own check alone
+      // only its own check knows the values that a custom field allows
       if (field.kind === 'custom') expect(isAllowed && !isValid, JSON.stringify(value)).toBe(false);
       else expect(isValid, JSON.stringify(value)).toBe(isAllowed);
     }
   });
 });
 
-/** A file in which everything occurs that a file can hold. */
+/** A file with every part that files can have. */
 function wholeFile(): FarolFile {
   const random = createRandom(7);
   const valuesOf = (fields: FieldTable) =>
@@ -111,7 +111,7 @@ function wholeFile(): FarolFile {
 
 type Path = readonly (string | number)[];
 
-/** Ways to all values below one. */
+/** Paths of all values below a value. */
 function paths(value: unknown, above: Path = []): Path[] {
   if (typeof value !== 'object' || value === null) return [];
   const keys = Array.isArray(value) ? [...value.keys()] : Object.keys(value);
@@ -129,7 +129,7 @@ const pathText = (path: string): string =>
     .join('')
     .replace(/^\./, '');
 
-/** Words of a message for each type of the schema. */
+/** Words of messages for each type of the schema. */
 const typeWords: Readonly<Record<string, RegExp>> = {
   object: /an object/,
   array: /a list|\[|keys/,
@@ -139,13 +139,13 @@ const typeWords: Readonly<Record<string, RegExp>> = {
   integer: /whole number/,
 };
 
-/** Place of what is wrong, and what its message has to say, by the schema. */
+/** Expected path and message of an error of the schema. */
 function demand({ keyword, instancePath, params, schema, parentSchema }: ErrorObject): [string, (string | RegExp)[]] {
   const at = pathText(instancePath);
   const member = (name: string): string => (at ? `${at}.${name}` : name);
   switch (keyword) {
     case 'additionalProperties': {
-      // a message is cut after 400 letters
+      // messages are cut after 400 characters
       const known = Object.keys((parentSchema as { properties: object }).properties);
       return [member(params.additionalProperty), known.slice(0, 8)];
     }
@@ -168,7 +168,7 @@ function demand({ keyword, instancePath, params, schema, parentSchema }: ErrorOb
 const isSaid = ([place, words]: ReturnType<typeof demand>, problems: readonly FileProblem[]): boolean =>
   problems.some(
     ({ path, problem }) =>
-      // of a component without a type nothing else is read
+      // a component without a type is not read further
       path === place.replace(/\.\w+$/, '.type') ||
       ((place === path || place.startsWith(`${path}[`) || path.startsWith(`${place}.`)) &&
         words.every((word) => (typeof word === 'string' ? problem.includes(word) : word.test(problem)))),
@@ -205,7 +205,7 @@ describe('a file in which one value is wrong', () => {
       } catch (error) {
         problems = (error as FileError).problems;
       }
-      // of alternatives each is told
+      // all failed alternatives are reported
       const found = flaws(file).filter(({ keyword, schemaPath }) => keyword !== 'if' && !/\/anyOf/.test(schemaPath));
       if (found.length > 0) refused++;
       const unsaid = found.map(demand).filter((each) => !isSaid(each, problems));

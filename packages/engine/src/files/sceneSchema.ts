@@ -15,7 +15,7 @@ import {
   type PrefabLink,
 } from './FarolFile';
 
-/** A JSON schema of draft 7, which code editors know. */
+/** A JSON schema of draft 7, the version that code editors support. */
 export interface JsonSchema {
   readonly [keyword: string]: unknown;
 }
@@ -47,7 +47,7 @@ const number = { type: 'number' };
 const share = { type: 'number', minimum: 0, maximum: 1 };
 const colour = triple({ type: 'number', minimum: 0 });
 const nameOrNull = { type: ['string', 'null'], minLength: 1 };
-/** Values that a field of a component that is not known may have. */
+/** Schema of a field value of an unknown component. */
 const anyValue = {
   anyOf: [
     { type: ['number', 'string', 'boolean', 'null'] },
@@ -57,7 +57,7 @@ const anyValue = {
   ],
 };
 
-/** Schema of a field's values. What it cannot say (ascending times of keys) is in the description alone. */
+/** Schema of a field's values. Rules beyond JSON schema (ascending times of keys) are in the description. */
 function valueSchema(field: Field): JsonSchema {
   const range = {
     ...('min' in field && field.min !== undefined ? { minimum: field.min } : {}),
@@ -91,7 +91,7 @@ function valueSchema(field: Field): JsonSchema {
   }
 }
 
-/** Schema of values by a table of fields, in the words of the messages about them. */
+/** Schema of the values of a table of fields, described as in the messages of the reader. */
 export const valuesSchema = (fields: FieldTable, description: string): JsonSchema =>
   record(
     Object.fromEntries(
@@ -107,12 +107,12 @@ export const valuesSchema = (fields: FieldTable, description: string): JsonSchem
     description,
   );
 
-/** A schema that counts where another one holds, and one that counts where it does not. */
+/** A schema that applies where a condition holds, and another where it does not. */
 const ifThen = (condition: JsonSchema, schema: JsonSchema, otherwise: JsonSchema = {}): JsonSchema => ({
   // oxlint-disable-next-line unicorn/no-thenable -- a keyword of JSON schema
   ...{ if: condition, then: schema, else: otherwise },
 });
-/** A schema that counts where members of an object have values. */
+/** A schema that applies where members of an object have certain values. */
 const whenMembers = (members: JsonSchema, schema: JsonSchema): JsonSchema =>
   ifThen({ properties: members, required: Object.keys(members) }, schema);
 
@@ -217,9 +217,9 @@ const prefab = record(
 );
 
 /**
- * JSON schema of scene files, made of the tables of fields that the reader checks values by. The package holds it as
- * `@farol/engine/scene.schema.json`. Files that `parseFile` reads are valid by it; what depends on other parts of the file
- * (ids, references, cycles) it does not check.
+ * JSON schema of scene files, made from the same tables of fields that the reader uses. The package contains it as
+ * `@farol/engine/scene.schema.json`. Every file that `parseFile` accepts is valid; ids, references and cycles are not
+ * checked.
  */
 export const sceneSchema = (): JsonSchema => ({
   $schema: 'http://json-schema.org/draft-07/schema#',

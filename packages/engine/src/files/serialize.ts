@@ -9,13 +9,13 @@ import { savedFields } from '../fields/savedFields';
 import { assetUses } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
 
-/** Options that `serialize` takes besides the scene. */
+/** Options of `serialize`. */
 export interface SerializeOptions {
-  /** Library that gives the addresses of assets; the scene's when absent. */
+  /** Library whose asset addresses are written; the scene's when absent. */
   assets?: AssetLibrary;
 }
 
-/** Authored values that are not the default; a reference to an object that is gone becomes null. */
+/** Authored values that differ from the defaults; a reference to a removed object becomes null. */
 function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   for (const { name, field } of savedFields(owner.fields)) {
@@ -37,11 +37,11 @@ const fileView = (place: number, { name, position, target, fov, orthographic }: 
   target: [target[0], target[1], target[2]],
 });
 
-/** Whether an object's prefab exists in the scene; objects pasted from another scene may link to none. */
+/** Whether an object's prefab is in the scene; pasted objects may link to prefabs of other scenes. */
 const hasPrefab = ({ prefabLink, scene }: GameObject): boolean =>
   prefabLink !== null && (!scene || scene.prefabs.get(prefabLink.prefab) !== null);
 
-/** Writes one GameObject, without children, in the form of the file. */
+/** Serializes one GameObject without children. */
 export function serializeObject(gameObject: GameObject): FileObject {
   return {
     id: gameObject.id,
@@ -62,14 +62,14 @@ export function serializeObject(gameObject: GameObject): FileObject {
   };
 }
 
-/** Writes a field asset in the form of the file. */
+/** Serializes a field asset. */
 export function assetInFile(asset: FieldAsset): FileAsset {
   return { name: asset.name, type: asset.type, values: asset.changedValues() };
 }
 
-/** Path of an asset in a container, made of its name; any name is safe, also '..' or a lone surrogate. */
+/** Path of an asset in a container. Any name gives a safe path, also '..' or a lone surrogate. */
 function pathInContainer(name: string): string {
-  // a percent sign before 'u' is in no other path
+  // a percent sign before 'u' occurs in no other path
   const path = name
     .split(/([\ud800-\udfff])/u)
     .map((part, i) => (i % 2 === 1 ? `%u${part.charCodeAt(0).toString(16)}` : encodeURIComponent(part)))
@@ -78,11 +78,11 @@ function pathInContainer(name: string): string {
 }
 
 /**
- * Assets of a library that last: those added as files, with their path in a container, those made of fields, and those
- * of an address.
+ * Assets of a library that a file can keep: those added as files, with their path in a container, those made of fields,
+ * and those with a lasting address (not `blob:`).
  */
 function lastingAssets(assets: AssetLibrary): FileAsset[] {
-  // by name, so that an asset that was removed and restored keeps its place
+  // sorted by name, so that an asset that was removed and restored keeps its place in the file
   const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const listed = files.map(({ name, type }): FileAsset => {
     return { name, type, file: pathInContainer(name) };
@@ -100,7 +100,7 @@ function lastingAssets(assets: AssetLibrary): FileAsset[] {
 const foldersIn = ({ folders }: AssetLibrary): Pick<FarolFile, 'assetFolders'> =>
   folders.length > 0 ? { assetFolders: folders } : {};
 
-/** A scene without its objects, and with every asset that lasts: see `serialize`. */
+/** A scene without its objects, but with all assets that a file can keep: see `serialize`. */
 export function serializeHead(scene: Scene, options: SerializeOptions = {}): FarolFile {
   return {
     format: 'farol-scene',
@@ -120,7 +120,7 @@ export function serializeHead(scene: Scene, options: SerializeOptions = {}): Far
   };
 }
 
-/** Texts in components of types that are not known: each may name an asset. */
+/** Texts in components of unknown types: each may name an asset. */
 function unknownTexts(file: FarolFile, { registry }: Scene): string[] {
   return [file, ...(file.prefabs ?? [])]
     .flatMap(({ objects }) => objects.flatMap(({ components }) => components))
@@ -129,9 +129,9 @@ function unknownTexts(file: FarolFile, { registry }: Scene): string[] {
 }
 
 /**
- * The scene as plain JSON data: what was authored, not where simulation has taken it. Assets are named; those that were
- * registered with an address that lasts are listed with it where they are used, those that were added as files with
- * their path in a container: see `writeContainer`.
+ * The scene as plain JSON data, with authored values, not simulated ones. Assets are written by name; the ones in use
+ * are listed with their address, if it lasts, or with their path in a container if they were added as files: see
+ * `writeContainer`.
  */
 export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFile {
   const file = serializeHead(scene, options);

@@ -5,9 +5,9 @@ const CHUNK = 8;
 export const padded = (length: number): number => Math.ceil(length / 4) * 4;
 
 /**
- * A GLB of a glTF's JSON and its one buffer.
+ * Makes a GLB of a glTF's JSON and its single buffer.
  * @param parts - the buffer; each part is padded to a multiple of 4 bytes
- * @param binaryLength - of the parts, padding included
+ * @param binaryLength - length of the parts with padding (bytes)
  * @see glTF 2.0, 4.4
  */
 export function writeGlb(json: string, parts: readonly Uint8Array[], binaryLength: number): ArrayBuffer {

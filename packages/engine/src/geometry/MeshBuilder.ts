@@ -2,18 +2,17 @@ import type { Vector3Tuple } from '@farol/editing/fields';
 import { BufferGeometry, Float32BufferAttribute, Matrix4, Vector3 } from 'three';
 import { computeCreaseNormals } from './computeCreaseNormals';
 
-/** A point of a surface for u and v from 0 to 1. */
+/** Returns a point of a surface, for u and v from 0 to 1. */
 export type Surface = (u: number, v: number) => Vector3Tuple;
 
-/** A point of a profile for v from 0 to 1: distance from the y axis, and height. */
+/** Returns a point of a profile, for v from 0 to 1: distance from the y axis, and height. */
 export type Profile = (v: number) => readonly [radius: number, y: number];
 
 const point = new Vector3();
 
 /**
- * Puts a mesh together out of surfaces. Texture coordinates are in metres wherever a surface is flat, so that a
- * texture's
- * `repeat` is a number of repeats a metre.
+ * Builds a mesh from surfaces. Texture coordinates of flat surfaces are in metres, so that a texture's `repeat` is in
+ * repeats per metre.
  */
 export class MeshBuilder {
   private readonly positions: number[] = [];
@@ -29,7 +28,7 @@ export class MeshBuilder {
 
   /**
    * A grid of `columns` × `rows` cells over a surface, facing du × dv.
-   * @param size - what u and v run to in texture coordinates
+   * @param size - texture coordinates at u = 1 and v = 1
    */
   surface(columns: number, rows: number, f: Surface, size: readonly [number, number] = [1, 1]): this {
     const base = this.positions.length / 3;

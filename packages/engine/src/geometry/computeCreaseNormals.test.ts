@@ -12,7 +12,7 @@ const normalAt = (geometry: BufferGeometry, i: number): Vector3 =>
 const positionAt = (geometry: BufferGeometry, i: number): Vector3 =>
   new Vector3().fromBufferAttribute(geometry.getAttribute('position'), i);
 
-/** A cube of 8 shared vertices, as a file without normals has it. */
+/** A cube with 8 shared vertices, as in a file without normals. */
 function sharedCube(): BufferGeometry {
   const corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => [x, y, z])));
   const faces = [

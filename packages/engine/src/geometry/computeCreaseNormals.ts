@@ -6,12 +6,12 @@ import { type Places, weldPositions } from './weldPositions';
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 /**
- * Corners in one place up to which each is compared with all others there. Where more meet, as in a scan with one point
- * far off, which makes all others one place, each keeps the normal of its face.
+ * Greatest number of corners at one position that are compared with each other. At positions with more (a scan with one
+ * far outlier welds all other points) each corner gets its face's normal.
  */
 const MOST_COMPARED = 1024;
 
-/** Corner c of triangle c / 3 takes vertex `corners[c]`. */
+/** Vertex index of each triangle corner; corner c belongs to triangle ⌊c / 3⌋. */
 function* cornersOf({ index, attributes }: BufferGeometry): Steps<Uint32Array> {
   const count = index ? index.count : attributes.position.count;
   const corners = new Uint32Array(count - (count % 3));
@@ -64,7 +64,7 @@ function* facesOf(position: Attribute, corners: Uint32Array): Steps<Faces> {
   return { normals, angles };
 }
 
-/** Corners that share a place: those of place p are `list[start[p]] … list[start[p + 1] - 1]`. */
+/** Corners by position: those at position p are `list[start[p]] … list[start[p + 1] - 1]`. */
 function* cornersByPlace(
   { places, count }: Places,
   corners: Uint32Array,
@@ -82,7 +82,7 @@ function* cornersByPlace(
   return { start, list };
 }
 
-/** A normal for each corner: the mean of the faces round its place within the crease angle, weighted by their angle. */
+/** Normal of each corner: mean of its position's face normals within the crease angle, weighted by angle. */
 function* cornerNormals(
   position: Attribute,
   corners: Uint32Array,
@@ -120,7 +120,7 @@ function* cornerNormals(
   return result;
 }
 
-/** Joins corners that agree in place, normal and every attribute: the vertices of the result. */
+/** Merges corners with equal position, normal and attributes into the vertices of the result. */
 function* joinCorners(
   geometry: BufferGeometry,
   corners: Uint32Array,
@@ -203,12 +203,11 @@ function* creaseNormals(geometry: BufferGeometry, creaseAngle: number): Steps<Bu
 }
 
 /**
- * A copy of a triangle geometry with normals: smooth where faces meet at an angle up to `creaseAngle`, creased where
- * they meet at more. Corners are welded by place, so seams of the texture coordinates do not show; faces count by the
- * angle that they have at the corner (Thürmer and Wüthrich 1998), so that the cut of a face into triangles does not
- * show either; where more than 1,024 meet in one place each keeps its own normal. Other attributes and groups are kept;
- * morph targets are not.
- * @param geometry - indexed or not, with a `position` attribute; left as it is
+ * A copy of a triangle geometry with normals: smooth at edges of up to `creaseAngle`, creased at sharper ones. Corners
+ * are welded by position, so texture seams stay invisible; faces are weighted by corner angle (Thürmer and Wüthrich
+ * 1998), so the triangulation stays invisible too; more than 1,024 corners at one position keep their faces' normals.
+ * Other attributes and groups are kept; morph targets are not.
+ * @param geometry - indexed or not, with a `position` attribute; not changed
  * @param creaseAngle - radians, 0 (flat) to π (all smooth); π / 6 when absent
  */
 export const computeCreaseNormals = (geometry: BufferGeometry, creaseAngle = Math.PI / 6): BufferGeometry =>
@@ -217,7 +216,7 @@ export const computeCreaseNormals = (geometry: BufferGeometry, creaseAngle = Mat
 /**
  * As `computeCreaseNormals`, computed in slices of 20 ms, so that the page stays responsive.
  * @param signal - cancels the work
- * @throws what the signal was aborted with (as a rejection)
+ * @throws the signal's abort reason (as a rejection)
  */
 export const computeCreaseNormalsInSlices = (
   geometry: BufferGeometry,

@@ -9,7 +9,7 @@ test('where very many faces meet each keeps its own normal, by work that grows w
   let result = geometry;
   const growth = await growthOf(6000, (count) => {
     const random = createRandom(4);
-    // a scan with one point far off: all others are one place beside that
+    // a scan with one far outlier, beside which all other points weld to one
     const cloud = Array.from({ length: count }, () => [random(), random(), random()]).flat();
     geometry.setAttribute('position', new Float32BufferAttribute([...cloud, 1e9, 0, 0, 0, 1e9, 0, 0, 0, 1e9], 3));
     return () => (result = computeCreaseNormals(geometry));

@@ -6,7 +6,7 @@ export interface Opening {
   readonly top: number;
 }
 
-/** Smallest width of wall left beside and above a hole (m). */
+/** Smallest width (m) of wall at the sides of a hole and above it. */
 const RIM = 0.05;
 
 /** Requested size and position of a hole (m). */
@@ -20,8 +20,8 @@ export interface OpeningSize {
 }
 
 /**
- * A hole as it fits into a wall of a length and a height (m): moved along, made lower and narrower; null where none
- * fits.
+ * A hole, fitted into a wall of a length and a height (m): moved along the wall, lowered and narrowed as needed; null
+ * when none fits.
  */
 export function fitOpening(asked: OpeningSize, length: number, height: number): Opening | null {
   const width = Math.min(asked.width, length - 2 * RIM);
@@ -33,6 +33,6 @@ export function fitOpening(asked: OpeningSize, length: number, height: number): 
   return { from: middle - width / 2, to: middle + width / 2, bottom, top };
 }
 
-/** Whether a point of a wall, along it and up (m), is in a hole. */
+/** Whether a hole contains a point of a wall: its distance along the wall from the middle, and its height (m). */
 export const isInOpening = ({ from, to, bottom, top }: Opening, along: number, up: number): boolean =>
   along > from && along < to && up > bottom && up < top;

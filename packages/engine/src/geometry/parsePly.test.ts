@@ -8,7 +8,7 @@ import { parsePly } from './parsePly';
 
 const bytesOf = (text: string): ArrayBuffer => new TextEncoder().encode(text).buffer as ArrayBuffer;
 
-/** A pyramid over a square, as an ASCII PLY in gzip. */
+/** A pyramid with a square base, as an ASCII PLY in gzip. */
 const pyramid = new Uint8Array(
   gzipSync(`ply
 format ascii 1.0

@@ -9,7 +9,7 @@ const HEADER = 65_536;
 
 const isGzip = (bytes: Uint8Array): boolean => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
-/** @throws Error when the elements of the header cannot be in the data: the loader would go through them all the same */
+/** @throws Error when the data are too short for the header's counts, all of which the loader loops over */
 function checkHeader(data: ArrayBuffer): void {
   const text = new TextDecoder('latin1').decode(new Uint8Array(data, 0, Math.min(HEADER, data.byteLength)));
   const end = text.search(/^end_header\b/m);
@@ -22,7 +22,7 @@ function checkHeader(data: ArrayBuffer): void {
   }
   let left = data.byteLength;
   for (const { name, count, properties } of elements) {
-    // each property takes at least one byte of the file
+    // each property is at least one byte of the file
     left -= /^\d+$/.test(count) ? Number(count) * Math.max(1, properties) : Infinity;
     if (left >= 0) continue;
     throw new Error(
@@ -33,7 +33,7 @@ function checkHeader(data: ArrayBuffer): void {
 
 /**
  * Reads a PLY mesh (ASCII or binary), gunzipped first when it is gzip. Normals stay absent when the file has none.
- * @throws Error saying what the data lack
+ * @throws Error that says what is missing or wrong
  */
 export async function parsePly(data: ArrayBuffer): Promise<BufferGeometry> {
   let plain = data;

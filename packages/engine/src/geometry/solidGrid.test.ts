@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { createRandom } from '../base/createRandom';
 import { solidGrid } from './solidGrid';
 
-/** Volume by the divergence theorem, area, and whether each edge is run through as often in both directions. */
+/** Volume by the divergence theorem, area, and whether each edge occurs equally often in both directions. */
 function measure(geometry: BufferGeometry): { volume: number; area: number; isClosed: boolean } {
   const positions = geometry.getAttribute('position');
   const normals = geometry.getAttribute('normal');

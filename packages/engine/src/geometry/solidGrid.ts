@@ -14,11 +14,11 @@ function sorted(planes: readonly number[]): number[] {
 }
 
 /**
- * The surface of the cells of a grid that are solid: flat faces between solid and empty cells alone, so none inside,
- * and no vertex in the middle of another face's edge. Texture coordinates are metres, as those of `MeshBuilder`.
+ * Surface of the solid cells of a grid: flat faces only between solid and empty cells, and no vertex in the middle of
+ * another face's edge. Texture coordinates are in metres, as in `MeshBuilder`.
  *
- * @param planes - between which the cells lie
- * @param isSolid - whether the cell with this middle is solid
+ * @param planes - planes that bound the cells
+ * @param isSolid - returns whether the cell with this centre is solid
  */
 export function solidGrid(planes: GridPlanes, isSolid: (middle: Vector3Tuple) => boolean): BufferGeometry {
   const lines = planes.map(sorted);
@@ -52,7 +52,7 @@ export function solidGrid(planes: GridPlanes, isSolid: (middle: Vector3Tuple) =>
   eachFace((cell, axis, side) => {
     const u = (axis + 1) % 3;
     const v = (axis + 2) % 3;
-    // upright faces have v upwards, so that a texture stands
+    // v points up on upright faces, so that textures are upright
     const across = axis === 0 ? v : Math.min(u, v);
     const up = axis === 0 ? u : Math.max(u, v);
     const base = made * 4;

@@ -7,10 +7,7 @@ export interface Places {
   readonly count: number;
 }
 
-/**
- * Gives vertices at the same place the same number. Places are the same when they agree to a millionth of the
- * geometry's extent.
- */
+/** Gives vertices at equal positions equal numbers. Positions are equal within a millionth of the geometry's extent. */
 export function* weldPositions(position: BufferAttribute | InterleavedBufferAttribute): Steps<Places> {
   let extent = 0;
   yield* inSteps(position.count, (from, to) => {

@@ -10,18 +10,18 @@ export interface FileProblem {
 
 /** Options of the constructor of FileError. */
 export interface FileErrorOptions extends ErrorOptions {
-  /** Number of problems besides those of the list; 0 when absent. */
+  /** Number of further problems that the list omits; 0 when absent. */
   more?: number;
 }
 
-/** Maximum length of the message, of one problem, and of one path. */
+/** Maximum length (characters) of the message, of one problem, and of one path. */
 const MESSAGE = 1800;
 const PROBLEM = 400;
 const PATH = 160;
 
 /**
- * Error of a file that cannot be loaded, with its problems. Nothing of the file has been loaded. The message has less
- * than 2,000 letters, each problem 400 at most, whatever the file holds.
+ * Error of a file that cannot be loaded, with its problems; nothing of the file has been loaded. The message has fewer
+ * than 2,000 characters, each problem 400 at most.
  */
 export class FileError extends Error {
   readonly problems: readonly FileProblem[];

@@ -2,8 +2,8 @@ import { FileError } from '../guard/FileError';
 import { fileLimits } from './fileLimits';
 
 /**
- * Checks how deep the values of a file lie within one another, without recursion.
- * @throws FileError beyond the limit, or for a value that holds itself
+ * Checks the nesting depth of a file's values, without recursion.
+ * @throws FileError beyond the limit, or for a cyclic value
  */
 export function checkDepth(value: unknown): void {
   let level: unknown[] = [value];

@@ -20,7 +20,7 @@ describe('large models', () => {
     return new Mesh(geometry);
   };
 
-  /** A clock that goes on by 1 ms each time that it is looked at. */
+  /** Makes the clock advance by 1 ms at each reading. */
   const clock = (): void => {
     let now = 0;
     vi.spyOn(performance, 'now').mockImplementation(() => now++);
@@ -40,7 +40,7 @@ describe('large models', () => {
     setImmediate(() => (hasTurn = true));
     await checkModel(large(2_000_000));
     expect(hasTurn).toBe(true);
-    // 123 looks at the clock for the vertices, 123 for the index, a turn at each 20th
+    // 123 clock readings for the vertices, 123 for the index; a yield at every 20th
     expect(next.mock.calls.length).toBeGreaterThanOrEqual(10);
   });
 

@@ -8,7 +8,7 @@ import {
 } from 'three';
 import { Slices } from '../base/Slices';
 
-/** Largest coordinate and scale (m): beyond it cameras, lights and depths have no digits left. */
+/** Largest coordinate and scale (m): beyond it, floats are too coarse for cameras, lights and depths. */
 export const LARGEST = 1e12;
 
 /** Whether a matrix, or a point at distance `reach` (m) that it transforms, is beyond what can be drawn. */
@@ -17,10 +17,10 @@ export const absurdSize = ({ elements }: Matrix4, reach = 1): boolean =>
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Elements checked at a stretch, before the slice of work may end. */
+/** Elements checked between two chances to yield to the page. */
 const STEP = 16_384;
 
-/** Largest coordinate of some points; NaN when one is no number. */
+/** Largest absolute coordinate of some points; NaN when one is not a number. */
 async function reachOf(positions: Attribute, slices: Slices): Promise<number> {
   const components = Math.min(3, positions.itemSize);
   let reach = 0;
@@ -28,7 +28,7 @@ async function reachOf(positions: Attribute, slices: Slices): Promise<number> {
     if (i % STEP === 0 && slices.areOver) await slices.next();
     for (let component = 0; component < components; component++) {
       const value = Math.abs(positions.getComponent(i, component));
-      // written so that NaN is taken too: comparisons with it are false
+      // the comparison is negated so that NaN is kept too
       if (!(value <= reach)) reach = value;
       if (Number.isNaN(reach)) return NaN;
     }
@@ -36,7 +36,7 @@ async function reachOf(positions: Attribute, slices: Slices): Promise<number> {
   return reach;
 }
 
-/** The largest of some indices; -1 of none. */
+/** Largest of some indices; -1 without any. */
 async function largestOf(index: Attribute, slices: Slices): Promise<number> {
   let largest = -1;
   for (let i = 0; i < index.count; i++) {
@@ -46,7 +46,7 @@ async function largestOf(index: Attribute, slices: Slices): Promise<number> {
   return largest;
 }
 
-/** @returns the largest coordinate @throws Error when an index leads beyond the vertices, or a position is no number */
+/** @returns the largest coordinate @throws Error when an index is out of range, or a position is not a number */
 async function checkGeometry(geometry: BufferGeometry, name: string, slices: Slices): Promise<number> {
   const positions = geometry.getAttribute('position');
   if (geometry.index) {
@@ -62,10 +62,10 @@ async function checkGeometry(geometry: BufferGeometry, name: string, slices: Sli
 }
 
 /**
- * Checks what a loader made of a model before a frame is drawn with it: in slices, so that the page answers meanwhile.
+ * Checks a loaded model before it is first drawn, in slices, so that the page stays responsive.
  * @param signal - cancels the check
- * @throws Error (as a rejection) of one sentence when positions are no numbers, lie beyond 1e12, or an index leads beyond
- * them; what the signal was aborted with
+ * @throws Error (as a rejection) of one sentence when a position is not a number or beyond 1e12, or an index is out of
+ *   range; the signal's abort reason
  */
 export async function checkModel(scene: Object3D, signal?: AbortSignal): Promise<void> {
   const slices = new Slices(signal);

@@ -6,10 +6,10 @@ export const fileLimits = {
   depth: maximumDepth,
   /** Greatest depth of prefabs within prefabs. */
   prefabDepth: 64,
-  /** Objects, once each instance of a prefab holds all that its prefab does. */
+  /** Greatest number of objects, with all instances of prefabs expanded. */
   objects: 1_000_000,
-  /** Lists and objects within one another in the JSON of a file; Farol writes 10 at most. */
+  /** Greatest nesting depth of lists and objects in a file's JSON; files of Farol have 10 at most. */
   jsonDepth: 32,
-  /** Greatest number of problems that are listed. */
+  /** Greatest number of problems in a message. */
   problems: 100,
 } as const;

@@ -1,4 +1,4 @@
-/** Picture format by the first bytes of a file; null when they are of none. */
+/** Picture format by the first bytes of a file; null for other files. */
 export function signatureOf(bytes: ArrayBuffer): string | null {
   const head = [...new Uint8Array(bytes, 0, Math.min(16, bytes.byteLength))];
   const text = String.fromCharCode(...head);
@@ -12,9 +12,9 @@ export function signatureOf(bytes: ArrayBuffer): string | null {
 }
 
 /**
- * Checks that a file may be what its name says.
- * @param wanted - the format that its name says, which is none of those that `signatureOf` knows
- * @throws Error when it is empty, or begins as a picture
+ * Checks that a file's content does not contradict its name.
+ * @param wanted - format by the file's name, none that `signatureOf` recognises
+ * @throws Error when the file is empty, or a picture
  */
 export function checkSignature(bytes: ArrayBuffer, wanted: string): void {
   if (bytes.byteLength === 0) throw new Error('the file is empty: choose it again.');

@@ -8,17 +8,17 @@ import { sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 interface Part {
   name: string;
   data: Uint8Array;
-  /** Size in the list, if not the true one (bytes). */
+  /** Size in the directory, when it is not the true one (bytes). */
   says?: number;
   method?: number;
   flags?: number;
-  /** Offset in the list, if not the true one (bytes). */
+  /** Offset in the directory, when it is not the true one (bytes). */
   at?: number;
-  /** CRC-32 in the list, if not the true one. */
+  /** CRC-32 in the directory, when it is not the true one. */
   checksum?: number;
 }
 
-/** Content of a part; '' if it cannot be unpacked. */
+/** Unpacked content of a part; '' when it cannot be unpacked. */
 function contentOf({ data, method = 8 }: Part): Uint8Array | string {
   if (method === 0) return data;
   try {
@@ -28,7 +28,7 @@ function contentOf({ data, method = 8 }: Part): Uint8Array | string {
   }
 }
 
-/** A ZIP of parts that are packed already. */
+/** A ZIP of parts that are already packed. */
 function zip(parts: Part[], count = parts.length): Uint8Array<ArrayBuffer> {
   const chunks: Buffer[] = [];
   const list: Buffer[] = [];

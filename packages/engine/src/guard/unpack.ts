@@ -3,11 +3,11 @@ import { counted } from '../base/counted';
 
 /** Limits of the size of unpacked data. */
 export const unpackLimits = {
-  /** Unpacked bytes up to which the user is not asked. */
+  /** Unpacked size (bytes) up to which the user is not asked. */
   free: 64 * 2 ** 20,
   /** Unpacked size as a multiple of the packed size up to which the user is not asked. */
   ratio: 20,
-  /** Unpacked bytes beyond which data are refused. */
+  /** Unpacked size (bytes) above which data are refused. */
   maxBytes: 2 ** 30,
   /** Greatest number of files in a ZIP. */
   entries: 10_000,
@@ -17,11 +17,11 @@ export const unpackLimits = {
 export interface UnpackQuestion {
   /** Size of the packed data (bytes). */
   readonly packed: number;
-  /** Unpacked bytes; of a stream, those so far. */
+  /** Unpacked size (bytes); for a stream, the size so far. */
   readonly unpacked: number;
 }
 
-/** Whether to go on with data that become large. They are refused when nobody can be asked. */
+/** Returns whether to unpack large data. They are refused without such a function. */
 export type MayUnpack = (sizes: UnpackQuestion) => boolean | Promise<boolean>;
 
 const megabytes = (bytes: number): string =>
@@ -32,8 +32,8 @@ export const sizesText = ({ packed, unpacked }: UnpackQuestion): string =>
   `from ${megabytes(packed)} to ${megabytes(unpacked)}`;
 
 /**
- * Checks what packed data become, once they are more than is free.
- * @throws FileError beyond the limit, or when nobody can be asked; an AbortError when the answer is no
+ * Checks the unpacked size of data against the limits, and asks when it is large.
+ * @throws FileError beyond the limit, or without `mayUnpack`; an AbortError when `mayUnpack` returns false
  */
 export async function checkUnpacking(sizes: UnpackQuestion, mayUnpack?: MayUnpack): Promise<void> {
   const { packed, unpacked } = sizes;
@@ -48,11 +48,11 @@ export async function checkUnpacking(sizes: UnpackQuestion, mayUnpack?: MayUnpac
 }
 
 /**
- * Unpacks bytes, and counts what comes out while it does.
- * @param exact - bytes that must come out; any number within the limits when absent
- * @param most - bytes that may come out, in place of the limits
- * @throws FileError, or AbortError: see `checkUnpacking`; TypeError when the data are damaged or cut short; RangeError when
- * more comes out than may
+ * Unpacks bytes, and checks the size while it grows.
+ * @param exact - expected unpacked size (bytes); any size within the limits when absent
+ * @param most - greatest unpacked size (bytes), in place of the limits
+ * @throws FileError, or AbortError: see `checkUnpacking`; TypeError when the data are damaged or cut short; RangeError
+ *   when the size exceeds `most`
  */
 export async function unpack(
   bytes: Uint8Array<ArrayBuffer>,

@@ -1,11 +1,11 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 
-/** Lowest colour temperature that there is a colour for (K). */
+/** Lowest colour temperature for which a colour can be computed (K). */
 export const LOWEST_KELVIN = 1000;
-/** Highest colour temperature that there is a colour for (K). */
+/** Highest colour temperature for which a colour can be computed (K). */
 export const HIGHEST_KELVIN = 25000;
 
-/** Share of red, green and blue in luminance, for linear sRGB (IEC 61966-2-1). */
+/** Luminance of linear sRGB (IEC 61966-2-1). */
 export const luminanceOf = ([r, g, b]: Vector3Tuple): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 /**
@@ -39,8 +39,8 @@ function daylightChromaticity(kelvin: number): readonly [number, number] {
 }
 
 /**
- * CIE 1931 chromaticity of a colour temperature: Planck's locus below 4,000 K, CIE daylight from there on.
- * @param kelvin - brought to 1,000 to 25,000
+ * CIE 1931 chromaticity of a colour temperature: Planck's locus below 4,000 K, CIE daylight from 4,000 K up.
+ * @param kelvin - clamped to 1,000 to 25,000
  */
 export function chromaticityOf(kelvin: number): readonly [x: number, y: number] {
   const limited = Math.min(HIGHEST_KELVIN, Math.max(LOWEST_KELVIN, kelvin));
@@ -50,9 +50,9 @@ export function chromaticityOf(kelvin: number): readonly [x: number, y: number] 
 const scaled = ([r, g, b]: Vector3Tuple, factor: number): Vector3Tuple => [r * factor, g * factor, b * factor];
 
 /**
- * Colour of light of a temperature, its luminance 1: a light keeps its lumens whatever its temperature. Colours outside
- * of sRGB's gamut, below 1,900 K, are brought to its edge.
- * @param kelvin - brought to 1,000 to 25,000
+ * Colour of light of a temperature, with luminance 1, so that a light keeps its lumens at any temperature. Colours
+ * outside of sRGB's gamut, below 1,900 K, are clipped to its edge.
+ * @param kelvin - clamped to 1,000 to 25,000
  * @returns linear sRGB (white D65); channels may be above 1
  */
 export function lightOfKelvin(kelvin: number): Vector3Tuple {
@@ -68,8 +68,8 @@ export function lightOfKelvin(kelvin: number): Vector3Tuple {
 }
 
 /**
- * Colour of a temperature, its largest channel 1, as tables of colours list it.
- * @param kelvin - brought to 1,000 to 25,000
+ * Colour of a temperature, with the largest channel at 1, as in tables of colours.
+ * @param kelvin - clamped to 1,000 to 25,000
  * @returns linear sRGB (white D65)
  */
 export function colourOfKelvin(kelvin: number): Vector3Tuple {

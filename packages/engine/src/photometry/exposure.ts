@@ -8,8 +8,8 @@ export const exposureOfEV = (ev: number): number => 1 / (1.2 * 2 ** ev);
 /**
  * Exposure value at ISO 100 of a camera's settings.
  * @param aperture - f-number
- * @param time - of the shutter (s)
- * @param iso - speed of the sensor
+ * @param time - exposure time (s)
+ * @param iso - sensitivity of the sensor (ISO)
  */
 export const evOfCamera = (aperture: number, time: number, iso: number): number =>
   Math.log2(((aperture * aperture) / time) * (100 / iso));

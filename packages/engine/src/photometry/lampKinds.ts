@@ -1,4 +1,4 @@
-/** Kinds of lamps whose electric power can stand for their light. */
+/** Kinds of lamps whose light can be given by electric power. */
 export const lampKinds = ['incandescent', 'halogen', 'fluorescent', 'led'] as const;
 /** Names of the kinds of lamps. */
 export type LampKind = (typeof lampKinds)[number];

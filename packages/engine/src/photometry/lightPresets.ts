@@ -10,7 +10,7 @@ export interface LightPreset {
   readonly unit: IntensityUnit;
   readonly lamp?: LampKind;
   readonly kelvin: number;
-  /** Shape of the light, and how far it reaches; range 0 is without end. */
+  /** Size and range of the light; range 0 is unlimited. */
   readonly shape?: Readonly<Record<string, number>>;
 }
 
@@ -93,8 +93,8 @@ export const lightPresets: Readonly<Record<string, LightPreset>> = {
 };
 
 /**
- * Values of a Light's fields that make it what a preset says.
- * @param light - the light before; its shape counts where the preset leaves it
+ * Values of a Light's fields by a preset.
+ * @param light - present light; its shape is kept where the preset has none
  */
 export function valuesOfPreset(
   { type, amount, unit, lamp = 'led', kelvin, shape }: LightPreset,

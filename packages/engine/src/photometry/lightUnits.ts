@@ -35,16 +35,16 @@ export interface PhotometricLight {
   readonly exponent: number;
   readonly width: number;
   readonly height: number;
-  /** Kind of lamp, which says the lumens of a watt. */
+  /** Kind of lamp, which gives the lumens per watt. */
   readonly lamp: LampKind;
-  /** Photometric profile (IES), by which the light of each direction differs; null for none. */
+  /** Photometric profile (IES), by which intensity varies with direction; null for none. */
   readonly profile?: FieldValue;
   readonly profileIntensity?: boolean;
-  /** Solid angle (sr) of a profile's light: its flux by its largest intensity; null until the profile is loaded. */
+  /** Solid angle (sr) of a profile: its flux divided by its largest intensity; null until the profile is loaded. */
   readonly profileSolidAngle?: number | null;
 }
 
-/** Unit of the number that three's light holds: candela, nits of area lights, lux of lights without a place. */
+/** Unit of a three light's `intensity`: candela, nits for area lights, lux for directional and hemisphere lights. */
 export function unitOfThree(type: string): IntensityUnit {
   if (type === 'point' || type === 'spot') return 'candela';
   return isArea(type) ? 'nits' : 'lux';
@@ -52,19 +52,19 @@ export function unitOfThree(type: string): IntensityUnit {
 
 const isArea = (type: string): boolean => type === 'rectangle' || type === 'disc' || type === 'tube';
 
-/** Units that an intensity of a light can be given in; the light's own first. */
+/** Units in which a light's intensity can be given, three's unit first. */
 export function unitsFor(light: Omit<PhotometricLight, 'lamp'>): readonly IntensityUnit[] {
   const { type, profile, profileIntensity, profileSolidAngle } = light;
-  // a cone cuts an unknown part off a profile's light
+  // the cone of a spot removes an unknown part of the profile's flux
   if (profile && (type === 'spot' || profileIntensity || !profileSolidAngle)) return ['candela'];
   if (type === 'point' || type === 'spot') return ['candela', 'lumen', 'lux', 'watt'];
   return isArea(type) ? ['nits', 'lumen', 'candela', 'watt'] : ['lux'];
 }
 
 /**
- * Solid angle (sr) by which the intensity of a point or spot light (cd) gives its luminous flux (lm). A spot's edge is
- * three's: `smoothstep` of the cosine, from that of the cone to that of the cone less its penumbra. Its integral over the
- * sphere is that of a hard cone at the mean of both cosines, since a smoothstep is half of its interval.
+ * Solid angle (sr) of a point or spot light: its luminous flux (lm) divided by its intensity (cd). A spot's edge is
+ * three's: `smoothstep` of the cosine, from that of the cone to that of the cone less its penumbra. Its integral over
+ * the sphere is that of a hard cone at the mean of both cosines, since a smoothstep is half of its interval.
  */
 export function solidAngleOf(light: PhotometricLight): number {
   const { type, cutoff, penumbra, exponent, profile, profileSolidAngle } = light;
@@ -74,19 +74,19 @@ export function solidAngleOf(light: PhotometricLight): number {
   return 2 * Math.PI * (1 - (edge + Math.cos(cutoff * (1 - penumbra))) / 2);
 }
 
-/** Area that shines (m²): a rectangle's and a disc's front, an ellipse, and all round a tube. */
+/** Emitting area (m²): the front of a rectangle or disc (an ellipse), the lateral surface of a tube. */
 function shiningArea({ type, width, height }: PhotometricLight): number {
   return width * height * (type === 'disc' ? Math.PI / 4 : type === 'tube' ? Math.PI : 1);
 }
 
-/** Area of a shape as seen from its front, or from beside a tube (m²). */
+/** Area (m²) of a shape seen from its front, or of a tube seen from the side. */
 function seenArea(light: PhotometricLight): number {
   return light.type === 'tube' ? light.width * light.height : shiningArea(light);
 }
 
 /**
- * Amount of a unit that is 1 of three's number: `shown = intensity × unitFactor(light, unit)`. Rectangles, discs and tubes
- * are Lambertian: flux = luminance × area × π.
+ * Amount in `unit` that equals an intensity of 1 in three: `shown = intensity × unitFactor(light, unit)`. Rectangles,
+ * discs and tubes are Lambertian: flux = luminance × area × π.
  * @see IES Lighting Handbook, 10th edition, chapter 5, for the quantities and their relations
  */
 export function unitFactor(light: PhotometricLight, unit: IntensityUnit): number {

@@ -29,7 +29,7 @@ const planck: readonly (readonly [number, number, number])[] = [
   [600, 0.33724, 0.36051],
 ];
 
-/** Linear sRGB, its largest channel 1, from x and y: IEC 61966-2-1. */
+/** Linear sRGB with the largest channel at 1, from x and y: IEC 61966-2-1. */
 function linearOf(x: number, y: number): number[] {
   const [X, Z] = [x / y, (1 - x - y) / y];
   const rgb = [
@@ -185,7 +185,7 @@ describe('presets', () => {
 });
 
 describe('exposure', () => {
-  // ISO 2720: exposure values of f-numbers and times in whole steps
+  // ISO 2720: exposure values for full stops of f-number and time
   test.each([
     [1, 1, 100, 0],
     [1.4, 1, 100, 1],

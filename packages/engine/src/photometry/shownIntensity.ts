@@ -7,28 +7,28 @@ import {
   unitSymbols,
 } from './lightUnits';
 
-/** A light with its intensity: three's number, and the unit that it was given in. */
+/** A light with its intensity in three's unit, and the unit that the user chose. */
 export interface MeasuredLight extends PhotometricLight {
   readonly intensity: number;
   /** 'auto' for the unit of three's number. */
   readonly intensityUnit: IntensityUnit | 'auto';
 }
 
-/** Unit that the light's intensity is shown in: the one it was given in, where its type has that. */
+/** Unit in which the light's intensity is displayed: the chosen one if its type supports that, else three's. */
 export function shownUnit(light: Omit<MeasuredLight, 'intensity'>): IntensityUnit {
   const { intensityUnit } = light;
   return intensityUnit !== 'auto' && unitsFor(light).includes(intensityUnit) ? intensityUnit : unitOfThree(light.type);
 }
 
-/** Intensity as shown: its amount, its unit's symbol, and the amount that is 1 of three's number. */
+/** Intensity for display: amount, symbol of the unit, and the amount that equals 1 in three. */
 export interface ShownIntensity {
   readonly value: number;
-  /** 'cd', 'lm', 'lx', 'nt' or 'W'; '×' of a light that is as bright as its photometric file says, times its intensity. */
+  /** 'cd', 'lm', 'lx', 'nt' or 'W'; '×' when the intensity is a factor of the photometric file's. */
   readonly symbol: string;
   readonly factor: number;
 }
 
-/** Intensity of a light in the unit that it is shown in. */
+/** Intensity of a light in its display unit. */
 export function shownIntensity(light: MeasuredLight): ShownIntensity {
   const unit = shownUnit(light);
   const factor = unitFactor(light, unit);

@@ -17,8 +17,8 @@ const turn = { x: 0, y: 0, z: 0, w: 1 };
 const between = [0, 0, 0, 0, 0, 0, 1];
 
 /**
- * Offsets in a body's `state`: world position and quaternion before the last step come first, then those after it, then
- * local position, quaternion and scale that the object was last shown with.
+ * Offsets in a body's `state`: world position and quaternion before the last step, then after it, then the local
+ * position, quaternion and scale last written to the object.
  */
 const NOW = 7;
 const SHOWN = 14;
@@ -170,7 +170,7 @@ export class Body implements BodyControl {
     return true;
   }
 
-  /** Follows an edited pose of a character: physics owns the position, the object the rotation. */
+  /** Follows edits of a character's object: rotation is read from it; position is owned by the physics. */
   private followCharacter(object3D: Object3D): void {
     if (!this.isPositionShown(object3D)) {
       placeOf(object3D, position, rotation);
@@ -213,8 +213,8 @@ export class Body implements BodyControl {
 
   /**
    * Adds the distance by which the body carried `other` in the last step.
-   * @param other - body that stands on this one
-   * @param way - the way is added to it (m, in the world)
+   * @param other - body on top of this one
+   * @param way - receives the added displacement (m, world space)
    */
   carry(other: Body, way: Vector3): void {
     if (!this.movedInStep) return;

@@ -9,9 +9,12 @@ export interface BodyControl {
   setVelocity(velocity: Vector3): void;
   angularVelocity(target: Vector3): Vector3;
   setAngularVelocity(velocity: Vector3): void;
-  /** @param point - where it acts; the centre of mass when null */
+  /** @param point - point of application; the centre of mass when null */
   applyImpulse(impulse: Vector3, point: Vector3 | null): void;
-  /** Applies a force (N) for the duration of the frame. @param point - where it acts; the centre of mass when null */
+  /**
+   * Applies a force (N) for the duration of the frame.
+   * @param point - point of application; the centre of mass when null
+   */
   applyForce(force: Vector3, point: Vector3 | null): void;
   applyTorque(torque: Vector3): void;
   wakeUp(): void;

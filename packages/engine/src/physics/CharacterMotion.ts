@@ -89,7 +89,7 @@ export class CharacterMotion {
     if (step === 0) return;
     this.steer(seconds);
     desiredMove.copy(velocity).multiplyScalar(seconds);
-    // moved along by the body it stands on
+    // carried by the body below it
     this.ground?.carry(body, desiredMove);
     controller.computeColliderMovement(
       this.capsule.rapier,

@@ -17,7 +17,7 @@ export interface CollisionEvent {
   readonly collider: ColliderPart | null;
   /** Collider on the side of `other`; null for a CharacterController's capsule. */
   readonly otherCollider: ColliderPart | null;
-  /** Whether one of the two colliders is a sensor, which stops nothing. */
+  /** Whether one of the two colliders is a sensor, which blocks no movement. */
   readonly isSensor: boolean;
   /** Contact point in world space (m); null for sensors and at the exit. */
   readonly point: Vector3 | null;

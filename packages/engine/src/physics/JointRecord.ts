@@ -12,7 +12,7 @@ import { type Body, placeOf } from './Body';
 import type { Rapier } from './loadRapier';
 import type { JointPart } from './PhysicsParts';
 
-/** A joint in Rapier's world, with the component that it is of. */
+/** A joint in Rapier's world, and its component. */
 export interface JointRecord {
   readonly component: JointPart;
   readonly body: Body;
@@ -84,8 +84,8 @@ function dataOf({ JointData: Data }: Rapier, component: JointPart, from: Vector3
 }
 
 /**
- * Makes the joint of a component, as the two objects are now.
- * @param partner - null for the world; `ground` then gives a fixed body
+ * Makes the joint of a component from the present poses of the two objects.
+ * @param partner - null for the world; `ground` then returns a fixed body
  */
 export function makeJoint(
   rapier: Rapier,
@@ -140,9 +140,8 @@ export function makeJoint(
 const LEVER = 0.05;
 
 /**
- * A cone limit, which Rapier's ball joints do not have in JavaScript: a rope between two points at a distance along the
- * axis from the anchors, which the axis takes from each other as it leans. Level with the body's centre of mass, it is
- * stiffest.
+ * Limits a ball joint to a cone, which Rapier lacks in JavaScript: a rope between two points on the axis, one at each
+ * side of the anchors, tightens as the axis tilts. It is stiffest level with the body's centre of mass.
  */
 function coneOf({ JointData: Data }: Rapier, angle: number, from: LocalFrame, to: LocalFrame, body: Body): JointData {
   const { x, y, z } = body.rapier.localCom();

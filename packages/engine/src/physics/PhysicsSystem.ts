@@ -23,9 +23,9 @@ async function loadCode(): Promise<Code> {
 }
 
 /**
- * The physics of a scene. Its world is made when the scene is first simulated, in steps of 1/60 s, and given up when
- * the scene is reset. Until the code and the meshes of all colliders are there it waits; its first step is the same
- * whenever it comes, so the same scene moves the same way in every run.
+ * The physics of a scene. Its world is created when the scene is first simulated, advances in steps of 1/60 s, and is
+ * discarded when the scene is reset. It starts once the code and all collider meshes are loaded, always with the same
+ * first step, so the same scene moves the same way in every run.
  */
 export class PhysicsSystem implements SceneSystem {
   readonly order = 200;
@@ -114,7 +114,7 @@ export class PhysicsSystem implements SceneSystem {
   private async fetchAll(): Promise<void> {
     this.code ??= await loadCode();
     let seen = -1;
-    // components added during the wait are waited for too
+    // waits also for components that were added meanwhile
     while (seen !== this.revision) {
       seen = this.revision;
       await this.code.shapesReady(this.scene);

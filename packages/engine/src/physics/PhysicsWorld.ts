@@ -346,7 +346,7 @@ export class PhysicsWorld {
     this.world.removeCollider(record.rapier, true);
   }
 
-  /** Switches collision events of a collider by whether components listen. */
+  /** Switches collision events of a collider on if a component has a method for them. */
   private hear({ rapier, object, body }: ColliderRecord): void {
     const { ActiveEvents } = this.rapier;
     const heard = listens(object) || listens(body.object);

@@ -16,7 +16,7 @@ interface Thrown {
   readonly body: RigidBody;
 }
 
-/** A box of 1 m over the ground, ready to play. @param height - of its middle (m) */
+/** A box of 1 m above the ground, in a scene ready to play. @param height - height of its centre (m) */
 async function thrown(body: Values, collider: Values = {}, height = 100, floor = ground()): Promise<Thrown> {
   const scene = makeScene();
   const cube = box('Cube', [0, height, 0], body, collider);
@@ -25,7 +25,7 @@ async function thrown(body: Values, collider: Values = {}, height = 100, floor =
   return { scene, cube, body: cube.getComponent(RigidBody)! };
 }
 
-/** The velocity (m/s), then the angular velocity (rad/s), after 60 steps without gravity from 1 along and about each axis. */
+/** Velocity (m/s) and angular velocity (rad/s) after 60 steps without gravity, from 1 along and about each axis. */
 async function velocities(values: Values): Promise<number[]> {
   const start: Values = {
     ...{ initialVelocity: [1, 1, 1], initialAngularVelocity: [1, 1, 1] },
@@ -45,12 +45,12 @@ async function pushed(body: Values, collider: Values = {}): Promise<number> {
   return all.body.velocity.x;
 }
 
-/** The velocities, as above, that pushes along and about all axes give to a body that lies in space. */
+/** Velocity and angular velocity of a resting body without gravity, after pushes along and about all axes. */
 async function shoved(values: Values): Promise<number[]> {
   const { scene, body } = await thrown({ ...values, gravityScale: 0, angularDamping: 0 });
   run(scene, 1);
   body.applyImpulse([1, 1, 1]);
-  // for a sixtieth of a second, on a cube of 1 kg and 1 m, whose moment of inertia is 1/6
+  // for 1/60 s, on a cube of 1 kg and 1 m, whose moment of inertia is 1/6
   body.applyTorque([10, 10, 10]);
   run(scene, 1);
   return [...body.velocity, ...body.angularVelocity];
@@ -59,7 +59,7 @@ async function shoved(values: Values): Promise<number[]> {
 const expectNear = (values: readonly number[], expected: readonly number[]): void =>
   values.forEach((value, i) => expect(value, String(i)).toBeCloseTo(expected[i], 3));
 
-/** Each field of a RigidBody changes what physics say that it changes: a field that is added and not listed here is a type error. */
+/** Checks that each field of a RigidBody has its physical effect; a new field that is not listed is a type error. */
 const bodyCases: Readonly<Record<keyof typeof rigidBodyFields, () => Promise<void>>> = {
   async type() {
     for (const type of ['fixed', 'kinematic']) {
@@ -76,7 +76,7 @@ const bodyCases: Readonly<Record<keyof typeof rigidBodyFields, () => Promise<voi
     expect(body.velocity.y).toBeCloseTo(-0.5 * GRAVITY, 2);
   },
   async linearDamping() {
-    const left = (1 + 2 / 60) ** -60; // of the speed, by each step's part
+    const left = (1 + 2 / 60) ** -60; // damping of the speed, step by step
     expectNear(await velocities({ linearDamping: 2 }), [left, left, left, 1, 1, 1]);
   },
   async angularDamping() {
@@ -85,7 +85,7 @@ const bodyCases: Readonly<Record<keyof typeof rigidBodyFields, () => Promise<voi
   },
   async continuous() {
     const beyond = async (continuous: boolean): Promise<boolean> => {
-      // what is fixed Rapier lets nothing through
+      // Rapier lets nothing tunnel through fixed bodies in any case, so the wall is kinematic
       const wall = box('Wall', [23, 0, 0], { type: 'kinematic' });
       wall.transform.scale = [0.1, 50, 50];
       const values = { continuous, gravityScale: 0, initialVelocity: [300, 0, 0] } as const;
@@ -111,11 +111,11 @@ const TURN: Vector3Tuple = [0, 0, SLOPE];
 const uphill = new Vector3(1, 0, 0).applyEuler(new Euler(...TURN));
 const normal = new Vector3(0, 1, 0).applyEuler(new Euler(...TURN));
 
-/** How far a box has slid down a slope of 20° after 1.5 s (m). @param slope - friction of the slope */
+/** Distance (m) that a box has slid down a slope of 20° after 1.5 s. @param slope - friction of the slope */
 async function slid(slope: number, friction: number): Promise<number> {
   const plane = box('Slope', [0, -0.5, 0], null, { friction: slope });
   plane.transform.scale = [40, 1, 4];
-  // its top goes through the origin
+  // its top face contains the origin
   plane.transform.position = normal.clone().multiplyScalar(-0.5).toArray();
   plane.transform.rotation = TURN;
   const scene = makeScene();
@@ -127,14 +127,14 @@ async function slid(slope: number, friction: number): Promise<number> {
   return -worldOf(cube).dot(uphill);
 }
 
-/** Height at which the middle of an object lies still on the ground (m). */
+/** Height of a resting object's centre on the ground (m). */
 async function rests(collider: Values): Promise<number> {
   const { scene, cube } = await thrown({}, { fit: false, ...collider }, 3);
   run(scene, 240);
   return worldOf(cube).y;
 }
 
-/** The speed upwards just after a fall of 2 m (m/s). */
+/** Upward speed just after a fall of 2 m (m/s). */
 async function rebound(restitution: number): Promise<number> {
   const { scene, body } = await thrown({}, { restitution }, 2.5);
   let speed = 0;
@@ -145,7 +145,7 @@ async function rebound(restitution: number): Promise<number> {
   return speed;
 }
 
-/** As above, of a Collider. */
+/** Checks that each field of a Collider has its effect, likewise. */
 const colliderCases: Readonly<Record<keyof typeof colliderFields, () => Promise<void>>> = {
   async shape() {
     expect(await rests({ shape: 'sphere', size: [3, 1, 2] })).toBeCloseTo(1.5, 2);
@@ -165,9 +165,9 @@ const colliderCases: Readonly<Record<keyof typeof colliderFields, () => Promise<
     // tan 20° is 0.364
     for (const friction of [0.38, 0.5, 1]) expect(Math.abs(await slid(friction, friction))).toBeLessThan(0.001);
     for (const friction of [0, 0.1, 0.2, 0.3]) {
-      const distance = 0.5 * GRAVITY * (sin - friction * cos) * 1.5 * (1.5 + 1 / 240); // as Rapier adds up, see `fallen`
+      const distance = 0.5 * GRAVITY * (sin - friction * cos) * 1.5 * (1.5 + 1 / 240); // summed as in `fallen`
       for (const part of [0, 1, 2]) {
-        // both surfaces count by half
+        // friction is the mean of both surfaces
         const found = await slid(friction * part, friction * (2 - part));
         expect(Math.abs(found - distance), `${friction}: ${found} of ${distance} m`).toBeLessThan(0.01);
       }
@@ -178,7 +178,7 @@ const colliderCases: Readonly<Record<keyof typeof colliderFields, () => Promise<
     expect(await rebound(0)).toBeLessThan(0.1);
     for (const restitution of [0.25, 0.5, 0.8, 1]) {
       const speed = await rebound(restitution);
-      // less what gravity has taken until the step is over
+      // minus the effect of gravity until the end of the step
       expect(speed / (restitution * fast)).toBeGreaterThan(0.95);
       expect(speed / (restitution * fast)).toBeLessThan(1.001);
     }

@@ -52,7 +52,7 @@ const pointer = (values: Partial<EnginePointerEvent>): EnginePointerEvent => ({
 
 afterEach(() => void vi.unstubAllGlobals());
 
-/** A gamepad as browsers give it, that is held so. @param pressed - places of buttons */
+/** A gamepad in the form of browsers, with the given axes. @param pressed - indices of pressed buttons */
 const pad = (axes: readonly number[], pressed: readonly number[] = [], mapping = 'standard'): object => ({
   ...{ connected: true, mapping, axes },
   buttons: Array.from({ length: 17 }, (_, i) => ({ pressed: pressed.includes(i) })),
@@ -67,7 +67,7 @@ test('it stands, walks by keys where it looks, runs, and takes keys from the edi
   expect(worldOf(person).y).toBeCloseTo(0.01, 2);
   key(scene, 'down', 'KeyW');
   run(scene, 60);
-  // 3 m/s, less what getting up to speed costs
+  // 3 m/s, minus the loss during acceleration
   expect(worldOf(person).z).toBeLessThan(-2.6);
   expect(worldOf(person).z).toBeGreaterThan(-3.1);
   key(scene, 'up', 'KeyW');
@@ -119,7 +119,7 @@ test('it climbs steps and slopes, but no walls and no steep slopes', async () =>
   run(scene, 75);
   expect(worldOf(person).y).toBeGreaterThan(0.55);
   run(scene, 200);
-  // down from the last step, and held by the wall
+  // down from the last step, and stopped by the wall
   expect(worldOf(person).y).toBeCloseTo(0.01, 1);
   expect(worldOf(person).z).toBeGreaterThan(-5.3);
   for (const [angle, isClimbed] of [
@@ -170,7 +170,7 @@ test('a gamepad: the left stick walks, the right one looks, buttons run and jump
   const { scene, person, controller } = walker();
   await prepare(scene);
   run(scene, 60);
-  /** Seconds' way of the feet (m), from standing, with the pads held so. */
+  /** Distance of the feet (m) walked from standing, with these gamepads. */
   const walked = (held: (object | null)[]): number[] => {
     pads = [];
     run(scene, 30);
@@ -187,7 +187,7 @@ test('a gamepad: the left stick walks, the right one looks, buttons run and jump
   expect(running).toBeLessThan(ahead * 1.3);
   expect(walked([pad([0.1, 0.1, 0, 0])])).toEqual([0, 0].map(() => expect.closeTo(0)));
   expect(walked([pad([0, -1, 0, 0], [], '')])).toEqual([0, 0].map(() => expect.closeTo(0)));
-  // a second to the right at 2.5 rad/s
+  // one second of turning right at 2.5 rad/s
   const turned = person.object3D.quaternion.clone();
   walked([pad([0, 0, 1, 0])]);
   expect(person.object3D.quaternion.angleTo(turned)).toBeCloseTo(2.5, 1);

@@ -27,7 +27,7 @@ function boxOf(parts: readonly MeshPart[]): Box3 {
   return box;
 }
 
-/** The shape by the fields of a collider; null when there is no mesh to fit it to. */
+/** Shape of a collider by its fields; null for a mesh shape without a mesh. */
 export function colliderShape(collider: ColliderPart): ColliderShape | null {
   const { scene, shape: kind } = collider;
   const axis = axes[collider.axis];

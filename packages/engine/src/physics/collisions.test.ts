@@ -27,7 +27,7 @@ test('collisions and sensors call the methods of both objects, in the order of s
   heard.length = 0;
   const scene = makeScene();
   const cube = box('Cube', [0, 4, 0], { lockRotationX: true, lockRotationZ: true });
-  // a second collider makes no second event
+  // a second collider causes no second event
   cube.addComponent(Collider, { fit: false, size: [0.5, 1, 0.5] });
   const gate = box('Gate', [0, 2, 0], null, { sensor: true });
   const floor = ground();

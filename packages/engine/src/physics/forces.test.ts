@@ -38,7 +38,7 @@ test('a force or an impulse at a point turns a body about its centre of mass, wh
   const scene = makeScene();
   scene.settings.gravity = [0, 0, 0];
   const bodyPushed = (x: number, push: (body: RigidBody) => void): RigidBody => {
-    // its collider, and so its centre of mass, lies 1 m beside it
+    // the collider, and therefore the centre of mass, is offset by 1 m
     const object = box(`Body ${x}`, [x, 0, 0], { angularDamping: 0 }, { fit: false, offset: [1, 0, 0] });
     const body = object.getComponent(RigidBody)!;
     class Pusher extends Component {
@@ -52,7 +52,7 @@ test('a force or an impulse at a point turns a body about its centre of mass, wh
     return body;
   };
   const bodies = [0, 0.5, -0.5].flatMap((arm, i) => [
-    // during a frame of 1/60 s: 1 N·s
+    // 60 N during a frame of 1/60 s: 1 N·s
     bodyPushed(20 * i, (body) => body.applyForce([0, 60, 0], [20 * i + 1 + arm, 0, 0])),
     bodyPushed(20 * i + 10, (body) => body.applyImpulse([0, 1, 0], [20 * i + 11 + arm, 0, 0])),
   ]);

@@ -1,7 +1,8 @@
 import { loadRapier as load } from './loadRapier';
 
 /**
- * Entry for editors and players: collider shapes to draw, and Rapier itself, beside `PhysicsSystem` and the components.
+ * Entry for editors and players: collider shapes to draw, and Rapier itself, besides `PhysicsSystem` and the
+ * components.
  */
 export { type ColliderShape, colliderShape } from './colliderShape';
 

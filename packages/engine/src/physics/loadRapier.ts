@@ -16,7 +16,7 @@ export function loadRapier(): Promise<Rapier> {
   loading ??= needsPackage('@dimforge/rapier3d-compat', 'Physics needs', import('@dimforge/rapier3d-compat')).then(
     async (rapier) => {
       await rapier.init();
-      // npm may have resolved another package's version, such as the 0.12 of @types/three
+      // npm may have resolved the version of another dependency, such as 0.12 of @types/three
       if (!rapier.version().startsWith(RAPIER)) {
         throw new Error(
           `Physics needs @dimforge/rapier3d-compat ${RAPIER}x; ${rapier.version()} is loaded. Install it: npm install @dimforge/rapier3d-compat@${RAPIER}0`,

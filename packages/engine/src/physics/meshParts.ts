@@ -14,7 +14,7 @@ export interface MeshPart {
 export interface MeshName {
   readonly type: 'mesh' | 'model';
   readonly name: string;
-  /** Parts of the model, as `subtreeOf` takes them. */
+  /** Parts of the model, in the form of `subtreeOf`. */
   readonly parts: string;
 }
 
@@ -80,7 +80,7 @@ export function meshParts(object: GameObject, scene: Scene): MeshPart[] {
   return parts;
 }
 
-/** Fulfilled when the meshes that colliders of a scene are fitted to are loaded, or could not be. */
+/** Resolves when all meshes that colliders of a scene need are loaded, or have failed. */
 export async function shapesReady(scene: Scene): Promise<void> {
   const names = new Set<string>();
   for (const collider of scene.componentsOf('Collider')) {

@@ -11,7 +11,7 @@ import { serialize } from '../files/serialize';
 import { PhysicsSystem } from './PhysicsSystem';
 import { box, ground, makeScene, placesOf, prepare, run, worldOf } from '../components/testing/physicsScene';
 
-/** How far a body falls in a number of steps (m): Rapier takes each in four parts, velocity first. */
+/** Distance of a fall after a number of steps (m): Rapier splits each step in four, with the velocity first. */
 const fallen = (steps: number): number => (9.81 / 2) * (steps / 60) * (steps / 60 + 1 / 240);
 
 test('a body falls as gravity says, and rests on what is fixed', async () => {
@@ -102,7 +102,7 @@ test('frames of any length take whole steps; the picture lies between the last t
   expect(halfway).toBeGreaterThan(worldOf(cube).y);
   scene.update(0.1);
   expect(system.steps).toBe(9);
-  // what is longer than the longest frame is left out
+  // time beyond the longest frame is dropped
   scene.update(5);
   expect(system.steps).toBe(15);
   scene.setTime(3);
@@ -132,7 +132,7 @@ test('under parents that are moved, rotated and scaled a body falls straight dow
   expect(after.y).toBeCloseTo(before.y - fallen(29), 3);
   expect(cube.object3D.quaternion.angleTo(turnBefore)).toBeLessThan(1e-4);
   run(scene, 600);
-  // 2 m large, it comes to rest on a side of its own
+  // 2 m in size, it comes to rest on one of its faces
   expect(worldOf(cube).y).toBeCloseTo(1, 1);
 });
 
@@ -144,7 +144,7 @@ test('colliders are fitted to the mesh, whatever its size, and follow the scale'
   slab.transform.scale = [1, 2, 1];
   const model = new GameObject('Whole');
   model.transform.position = [0, 6, 0];
-  // an object without a mesh is as large as those below it
+  // an object without a mesh gets the size of its descendants
   const part = new GameObject('Part');
   part.addComponent(ObjectRenderer, { mesh: 'box' });
   part.transform.position = [0, 0.5, 0];
@@ -307,7 +307,7 @@ test('a collider below a body that moves in it stays the same one: what lies on 
   run(scene, 60);
   expect(worldOf(load).y).toBeGreaterThan(1.28);
   expect(worldOf(load).y).toBeLessThan(1.32);
-  // another size is another shape
+  // another size needs a new shape
   arm.object3D.scale.y = 2;
   run(scene, 60);
   expect(worldOf(load).y).toBeGreaterThan(1.75);

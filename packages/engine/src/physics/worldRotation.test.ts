@@ -2,7 +2,7 @@ import { Matrix4, Object3D, Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { mirrored, worldRotation } from './worldRotation';
 
-/** All signs of a scale. */
+/** All combinations of signs of a scale. */
 const mirrors = [1, -1].flatMap((x) => [1, -1].flatMap((y) => [1, -1].map((z) => new Vector3(x, y, z))));
 const turn = (x: number, y: number, z: number, w: number): Quaternion => new Quaternion(x, y, z, w).normalize();
 const rotationOf = (quaternion: Quaternion): Matrix4 => new Matrix4().makeRotationFromQuaternion(quaternion);

@@ -3,9 +3,9 @@ import { type Object3D, Quaternion, type Vector3 } from 'three';
 const localRotation = new Quaternion();
 
 /**
- * The rotation of an object in the world without scale or shear: the product of the rotations from the scene down,
- * those below a mirrored object seen in the mirror.
- * @param signs - gets the product of the signs of all scales
+ * The rotation of an object in the world without scale or shear: the product of the rotations from the root down, where
+ * those below a mirrored object are mirrored.
+ * @param signs - receives the product of the signs of all scales
  */
 export function worldRotation(object: Object3D | null, rotation: Quaternion, signs: Vector3): Quaternion {
   if (!object) {

@@ -1,19 +1,19 @@
 import type { Scene } from '../core/Scene';
 
-/** State of a PictureRenderer's last frame, by which it is decided whether another frame is needed. */
+/** State of a PictureRenderer's last frame, from which the need for another frame is decided. */
 export class LastPicture {
   /** Scene of the last picture; null before the first. */
   scene: Scene | null = null;
-  /** Whether a frame was asked for and has not begun yet. */
+  /** Whether a frame was requested and has not begun yet. */
   isStale = false;
   isDisposed = false;
-  /** Called once each, after the next frame or when the renderer is disposed. */
+  /** Callbacks for the next frame or the disposal, whichever comes first; each is called once. */
   readonly waiting: (() => void)[] = [];
 
-  /** @param askHost - has the host draw a frame */
+  /** @param askHost - requests a frame from the host */
   constructor(private readonly askHost: () => void) {}
 
-  /** Asks for another frame. */
+  /** Requests another frame. */
   readonly redraw = (): void => {
     this.isStale = true;
     this.askHost();

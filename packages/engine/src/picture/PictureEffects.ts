@@ -19,9 +19,9 @@ const late = new Map(
   ]),
 );
 
-/** Keeps `FarolRenderer.effects` at the effects that a scene asks for; the code of an effect is fetched when first asked for. */
+/** Keeps the effects of a scene's settings in `FarolRenderer.effects`; fetches the code of an effect on first use. */
 export class PictureEffects {
-  /** Effects of plugins, by the names that scenes ask for them by. Call `addedChanged` after a change. */
+  /** Factories of plugins' effects, by the names that scenes use. Call `addedChanged` after a change. */
   readonly added = new Map<string, () => FarolEffect>();
 
   private readonly made = new Map<string, FarolEffect>();
@@ -33,7 +33,7 @@ export class PictureEffects {
   private isSuspended = false;
 
   /**
-   * @param redraw - called when a frame is to be drawn
+   * @param redraw - requests a frame
    * @param failed - called when the code cannot be fetched
    */
   constructor(
@@ -42,7 +42,7 @@ export class PictureEffects {
     private readonly failed: (error: unknown) => void,
   ) {}
 
-  /** While techniques are compared, each draws as it does by itself. */
+  /** True removes the scene's effects while techniques are compared. */
   get suspended(): boolean {
     return this.isSuspended;
   }
@@ -52,7 +52,7 @@ export class PictureEffects {
     this.refresh();
   }
 
-  /** Frames to draw until a picture that changed is as it stays. */
+  /** Number of frames until a changed picture is final. */
   get frames(): number {
     let frames = 1;
     for (const name of this.names)
@@ -61,8 +61,8 @@ export class PictureEffects {
   }
 
   /**
-   * Brings the effects up to the settings, and to the technique of the last frame. Those of others in the list stay
-   * first.
+   * Updates the effects for the settings and the technique of the last frame. Other effects of the renderer stay first
+   * in the list.
    */
   update(settings: SceneSettings): void {
     const { technique } = this.farol.info;
@@ -73,17 +73,17 @@ export class PictureEffects {
     this.refresh();
   }
 
-  /** Gives effects that move with time, such as drifting fog, the scene's (s): it stands while nothing plays. */
+  /** Sets the scene's time (s) on effects that move with it, such as drifting fog; it stops while nothing plays. */
   setTime(seconds: number): void {
     for (const effect of this.made.values()) if ('time' in effect) effect.time = seconds;
   }
 
-  /** Forgets what earlier frames have gathered: the picture has other tones now. */
+  /** Resets effects that accumulate frames, after a change of tone mapping. */
   forgetFrames(): void {
     for (const effect of this.made.values()) effect.reset?.();
   }
 
-  /** Adds effects of new plugins, and removes those of removed ones. */
+  /** Adds effects of new plugins, and disposes of those of removed ones. */
   addedChanged(): void {
     this.refresh();
     for (const [name, effect] of this.made) {
@@ -100,7 +100,7 @@ export class PictureEffects {
   private refresh(): void {
     const { farol, settings } = this;
     if (settings === null) return;
-    farol.antialias = false; // an effect named by the scene's settings smooths edges instead
+    farol.antialias = false; // anti-aliasing is an effect named by the scene's settings
     this.names = this.isSuspended ? [] : this.neededEffects(settings);
     const missing = this.names.flatMap((name) => late.get(name) ?? []).filter(({ code }) => code === null);
     if (missing.length > 0) {
@@ -118,7 +118,7 @@ export class PictureEffects {
     for (const [name, effect] of this.made) this.set(effect, effectEntries[name]?.fields ?? {}, settings);
   }
 
-  /** Gives an effect the numbers and colours of the settings. */
+  /** Copies numbers and colours of the settings to an effect. */
   private set(effect: FarolEffect, fields: NonNullable<EffectEntry['fields']>, settings: SceneSettings): void {
     for (const [name, { kind, property }] of Object.entries(fields)) {
       const value = settings.get(name);
@@ -153,7 +153,7 @@ export class PictureEffects {
   }
 }
 
-/** The names in a text, which has commas between them. */
+/** Splits a text of names at its commas. */
 export const namesOf = (text: string): string[] =>
   text
     .split(',')

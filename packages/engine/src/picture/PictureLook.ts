@@ -5,9 +5,9 @@ import type { SceneSettings } from '../settings/SceneSettings';
 import { exposureOf } from '../settings/exposureFields';
 import { toneMappings } from '../settings/toneMappings';
 
-/** Exposure by how bright the picture is. */
+/** Automatic exposure by the brightness of the picture. */
 export interface AutomaticExposure {
-  /** Exposure values (ISO 100) between which it stays. */
+  /** Limits of the exposure value (ISO 100). */
   readonly minEV: number;
   readonly maxEV: number;
   /** Time constant of adaptation (s); 0 for at once. */
@@ -19,7 +19,7 @@ export class PictureLook {
   toneMapping: ToneMapping = toneMappings.none;
   /** Factor on the linear colours of the picture. */
   exposure = 1;
-  /** Exposure by how bright the picture is, which `exposure` multiplies; null for none. */
+  /** Automatic exposure, multiplied by `exposure`; null when off. */
   automatic: AutomaticExposure | null = null;
   depthOfField = false;
   /** Distance that is in focus (m). */
@@ -28,7 +28,7 @@ export class PictureLook {
   focusRange = 0;
   focusBlur = 0;
 
-  /** Takes what the scene says, and what the camera that is looked through says otherwise. */
+  /** Reads the scene's settings, overridden by the active camera's own. */
   follow(settings: SceneSettings, camera: CameraComponent | null): this {
     const own = camera instanceof Camera ? camera : null;
     const toneMapping = own === null || own.toneMapping === 'scene' ? settings.toneMapping : own.toneMapping;
@@ -49,7 +49,7 @@ export class PictureLook {
     this.automatic = isAutomatic ? { minEV, maxEV, time } : null;
     const factor = exposureOf(by) ?? (isAutomatic ? 1 : settings.exposure);
     this.exposure = factor * (own === null ? 1 : 2 ** own.exposureCompensation);
-    // without tone mapping three leaves the exposure out
+    // three applies exposure only together with tone mapping
     if (by.exposureBy !== 'factor' && this.toneMapping === toneMappings.none) this.toneMapping = toneMappings.linear;
   }
 }

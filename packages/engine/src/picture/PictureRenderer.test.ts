@@ -27,7 +27,7 @@ import { PictureLook } from './PictureLook';
 import { PictureRenderer } from './PictureRenderer';
 import { toneMappings } from '../settings/toneMappings';
 
-/** A renderer that only notes what it is asked for. */
+/** A renderer that only records its calls. */
 function makeFarol(technique: TechniqueName) {
   const canvas = new EventTarget();
   const webgl = {
@@ -67,7 +67,7 @@ const failed = (error: unknown): never => {
 /** Copy of a scene, made by saving and opening it. */
 const reopened = (scene: Scene): Promise<Scene> => deserialize(JSON.stringify(serialize(scene)));
 
-// it is large, and else late in its first test
+// loaded beforehand, since it is large and would delay the first test
 beforeAll(() => loadEffects() as Promise<unknown>);
 
 test('technique and ambient occlusion are those of the scene, also after it was saved and opened again', async () => {
@@ -111,7 +111,7 @@ test("tone mapping reaches the renderer for the frame alone, with the camera's o
   expect(farol.frames[0]).toEqual(['auto', ReinhardToneMapping, 4, 0.25]);
   await vi.waitFor(() => expect(redraw).toHaveBeenCalled());
   picture.render(scene, camera.three, camera);
-  // 4 * 0.25 = 1, of which Reinhard makes a half
+  // 4 × 0.25 = 1, which Reinhard maps to 0.5
   expect(farol.frames[1]).toEqual(['auto', ReinhardToneMapping, 4, 0.5]);
   expect((scene.three.background as Color).r).toBe(0.25);
   expect([farol.webgl.toneMapping, farol.webgl.toneMappingExposure]).toEqual([NoToneMapping, 1]);
@@ -128,7 +128,7 @@ test('exposure is by a number, an exposure value or a camera’s settings, which
     picture.render(scene, camera.three, camera);
     return (farol.frames.at(-1) as unknown[]).slice(1, 3);
   };
-  // without a tone mapping it is linear, but not for the factor, which needs one
+  // without tone mapping an exposure factor has no effect; other exposures switch to the linear mapping
   expect(exposureOf(() => (scene.settings.exposure = 3))).toEqual([NoToneMapping, 1]);
   Object.assign(scene.settings, { exposureBy: 'value', exposureValue: 3 });
   expect(exposureOf(() => {})).toEqual([LinearToneMapping, 1 / (1.2 * 8)]);
@@ -163,7 +163,7 @@ test('effects forget the frames that they have gathered when tones change, and n
     reset.mockClear();
     return length;
   };
-  expect(forgets(() => (scene.settings.exposure = 2))).toBe(0); // which counts with a tone mapping alone
+  expect(forgets(() => (scene.settings.exposure = 2))).toBe(0); // exposure has an effect only with tone mapping
   expect(forgets(() => (scene.settings.toneMapping = 'reinhard'))).toBe(1);
   expect(forgets(() => (scene.settings.exposure = 3))).toBe(1);
   expect(forgets(() => (camera.exposureCompensation = 1))).toBe(1);

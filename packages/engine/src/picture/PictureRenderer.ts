@@ -14,10 +14,10 @@ import { techniqueAbilities } from './techniqueAbilities';
 
 const late = new LateCode(() => needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')));
 
-/** Frame budget of scenes: 60 frames a second. */
+/** Time budget (ms) of a frame: 60 frames a second. */
 const BUDGET = { frame: 16.7, min: 0.5 };
 
-/** Whether fingers are the device's first means of pointing. */
+/** Whether touch is the device's primary input. */
 const isTouchScreen = (): boolean => globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
@@ -29,21 +29,21 @@ export interface ScenePainter {
 
 /** Options of the constructor of PictureRenderer. */
 export interface PictureRendererOptions {
-  /** Called when a frame is to be drawn, for hosts that draw none unless asked to. */
+  /** Requests a frame, for hosts that draw on demand. */
   readonly redraw?: () => void;
-  /** Called when something that the scene asks for cannot be drawn; the console is warned when absent. */
+  /** Called when a technique, effect or asset of the scene cannot be drawn; the console is warned when absent. */
   readonly failed?: (error: unknown) => void;
   /**
-   * False: technique, anti-aliasing, ambient occlusion and the like stay the host's, for small pictures of the same
-   * scene. Default true.
+   * Default true. False leaves technique, anti-aliasing, ambient occlusion and the like to the host, for thumbnails of
+   * the same scene.
    */
   readonly followsRendering?: boolean;
 }
 
 /**
- * Draws scenes with all that their settings say of the picture: technique and effects of the renderer, tone mapping,
- * bloom, depth of field, grading. Without any of the latter a frame is what `FarolRenderer.render` draws, and costs no
- * more; the code of the others is fetched when a scene first asks for it.
+ * Draws scenes with the picture settings: technique and effects of the renderer, tone mapping, bloom, depth of field,
+ * grading. Without post-processing a frame equals `FarolRenderer.render` in picture and cost; its code is fetched for
+ * the first scene that uses it.
  */
 export class PictureRenderer {
   readonly effects: PictureEffects;
@@ -83,7 +83,7 @@ export class PictureRenderer {
   /**
    * Draws to the render target, viewport and scissor of the WebGLRenderer.
    * @param camera - camera to draw with
-   * @param component - the component that the camera is of, whose own settings count; null for a camera of the host's
+   * @param component - component of the camera, whose settings override the scene's; null for a camera of the host's
    */
   render(scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
     this.follow(scene);
@@ -113,7 +113,7 @@ export class PictureRenderer {
     this.renderPlain(painter, scene, camera);
   }
 
-  /** Applies the scene's technique again in the next frame, when it may have been registered since. */
+  /** Applies the scene's technique again in the next frame, since it may have been registered meanwhile. */
   retakeTechnique(): void {
     if (this.technique !== 'auto') this.technique = '';
   }
@@ -126,12 +126,11 @@ export class PictureRenderer {
   }
 
   /**
-   * Fulfilled when the scene that was drawn last is drawn as it stays while it does not move: what its assets are read
-   * from is loaded, or has failed, the code that it needs is there, the renderer is ready (`FarolRenderer.ready`), and
-   * effects that gather frames have them. It asks for frames by `redraw`, waits for one at least, and waits while there
-   * is no scene.
+   * Resolves when the last drawn scene's picture is final as long as nothing moves: assets are loaded or have failed,
+   * code is fetched, the renderer is ready (`FarolRenderer.ready`), and accumulating effects have all their frames. It
+   * requests frames by `redraw`, at least one, and waits while there is no scene.
    *
-   * Rejected when code cannot be fetched, with an Error that says what to do, and when this is disposed.
+   * Rejects when code cannot be fetched, with an Error that says what to do, and when this renderer is disposed.
    */
   get ready(): Promise<void> {
     return import('./whenDrawn').then(({ whenDrawn }) =>
@@ -140,8 +139,8 @@ export class PictureRenderer {
   }
 
   /**
-   * Whether the last frame had all files, code and programs that it asked for, as `ready` waits for; effects that gather
-   * frames may still lack some.
+   * Whether the last frame had all assets, code and programs that `ready` waits for; accumulating effects may still
+   * lack frames.
    */
   get isComplete(): boolean {
     const { scene, isStale } = this.last;
@@ -149,7 +148,7 @@ export class PictureRenderer {
     return isRead && !isStale && this.farol.info.pending.length === 0;
   }
 
-  /** Brings the renderer up to what the scene asks for: technique, effects, shadows, sky. */
+  /** Updates the renderer for a scene: technique, effects, shadows, sky. */
   follow(scene: Scene): void {
     const { farol } = this;
     const { settings } = scene;
@@ -238,7 +237,7 @@ export class PictureRenderer {
     chain.draw(scene, look, camera, target);
   }
 
-  /** Samples a pixel: as the canvas has, unless what shades a G-buffer or smooths edges has no use for them. */
+  /** Samples per pixel: as the canvas, unless a G-buffer or an anti-aliasing effect makes them useless. */
   private get samples(): number {
     const { webgl, info, techniques, effects } = this.farol;
     if (webgl.getContextAttributes()?.antialias !== true || effects.some(takesPicture)) return 0;
@@ -250,7 +249,7 @@ export class PictureRenderer {
     const { look } = this;
     const { bloom, grading, vignette } = settings;
     const has = this.showsEffects && (bloom || grading || vignette || look.depthOfField);
-    // the eyes are drawn straight to the session's layer
+    // XR views are drawn directly to the session's layer
     if (this.inXR) {
       if (has && !this.toldXR) console.warn('Farol: bloom, grading, vignette and depth of field are not drawn in XR.');
       this.toldXR ||= Boolean(has);
@@ -266,7 +265,7 @@ export class PictureRenderer {
     return this.chain;
   }
 
-  /** The code of tone mapping and effects; null until it is fetched. */
+  /** Requests the code of tone mapping and effects; null until it is fetched. */
   private ask(): typeof late.code {
     if (late.code !== null || this.isFetching) return late.code;
     this.isFetching = true;
@@ -276,7 +275,7 @@ export class PictureRenderer {
 
   private makeChain({ PictureChain }: NonNullable<typeof late.code>): PictureChain {
     const { webgl } = this.farol;
-    // resources freed after the context is restored would be deleted in the wrong context by three
+    // must be freed before the context is restored: three would delete them in the new context
     webgl.domElement.addEventListener('webglcontextlost', this.free);
     return new PictureChain(webgl, this.redraw);
   }

@@ -10,7 +10,7 @@ class Glow {
   readonly name = 'glow';
 }
 
-/** An effect whose code comes when the test says so. */
+/** An effect whose code is loaded when the test decides. */
 const glow = {
   effectClass: null as RequiredEffect['effectClass'],
   come: (): void => {},

@@ -2,7 +2,7 @@ import type { FarolEffect, FarolRenderer } from '@farol/renderer';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/Scene';
 
-/** The effects that scenes have brought into one renderer. */
+/** Effects that this module has added to one renderer. */
 interface OwnEffects {
   readonly required: RequiredEffect[];
   /** The renderer's effect for each entry of `required`. */
@@ -15,10 +15,10 @@ const ownEffects = new WeakMap<FarolRenderer, OwnEffects>();
 const nothing = (): void => {};
 
 /**
- * Gives a renderer the effects that the scene's components need (`static effect` of their class), and removes those
- * that it was given for other scenes; an effect of the host's own is taken as it is. Call before each frame of
- * `renderer.render(scene.three, …)`; `App` does so by itself.
- * @param redraw - called when the code of an effect has come, for hosts that draw no frame unless asked to
+ * Adds the effects that a scene's components need (`static effect` of their class) to a renderer, and removes those
+ * added for other scenes; an effect of the same class that the host has added is used instead. Call before each
+ * `renderer.render(scene.three, …)`; `App` does so itself.
+ * @param redraw - called once the code of an effect is loaded, for hosts that draw on demand
  */
 export function followEffects(renderer: FarolRenderer, scene: Scene, redraw: () => void = nothing): void {
   const { requiredEffects } = scene;
@@ -52,7 +52,7 @@ function load({ loading }: OwnEffects, required: RequiredEffect, redraw: () => v
   loading.add(required);
   required
     .load()
-    // the component loads the same code, and tells of a failure
+    // the component loads the same code, and reports a failure
     .then(redraw, nothing)
     .finally(() => loading.delete(required));
 }

@@ -13,7 +13,7 @@ test('what is said of the techniques is what their passes do', async () => {
     await technique.lazy?.load();
     const written = technique.passes().flatMap((pass) => [...pass.writes]);
     const hasGBuffer = written.includes('gbuffer');
-    // the depth of 'inferred' is of half the size
+    // the depth of 'inferred' has half the resolution
     const hasDepth = hasGBuffer || (written.includes('scene-depth') && name !== 'inferred');
     expect({ name, gbuffer, samples, depth }).toEqual({
       name,

@@ -21,9 +21,9 @@ function abilitiesOf({ writes, passes, lazy, lightOrder, fills }: Technique): Te
 }
 
 /**
- * Abilities of a technique, by the resources that it writes.
+ * Abilities of a technique, derived from the resources that it writes.
  * @param techniques - `FarolRenderer.techniques`
- * @param name - of one of them; one that is not there is taken to be able to do all
+ * @param name - key of `techniques`; an unknown technique gets all abilities
  */
 export function techniqueAbilities(techniques: Readonly<Record<string, Technique>>, name: string): TechniqueAbilities {
   if (!Object.hasOwn(techniques, name)) return all;

@@ -22,7 +22,7 @@ const makeFarol = () =>
     render: () => {},
   });
 
-/** Lets all that is settled be told. */
+/** Waits until all settled promises have called their handlers. */
 async function settle(): Promise<void> {
   for (let turn = 0; turn < 3; turn++) await new Promise((resolve) => setImmediate(resolve));
 }
@@ -32,7 +32,7 @@ let scene: Scene;
 let redraw: ReturnType<typeof vi.fn<() => void>>;
 let picture: PictureRenderer;
 beforeEach(async () => {
-  await import('./whenDrawn'); // else late in the first test
+  await import('./whenDrawn'); // loaded beforehand, since it would delay the first test
   farol = makeFarol();
   scene = new Scene();
   redraw = vi.fn<() => void>();
@@ -41,7 +41,7 @@ beforeEach(async () => {
 
 const draw = (): void => picture.render(scene, {} as never);
 
-/** Notes what becomes of `ready`. */
+/** Records the state of `ready`. */
 function wait(): { state: string } {
   const seen = { state: 'waits' };
   picture.ready.then(
@@ -69,7 +69,7 @@ it('waits for assets, and for a frame with them', async () => {
   const seen = wait();
   await settle();
   expect([seen.state, redraw.mock.calls.length]).toEqual(['waits', 0]);
-  // a profile that cannot be read is an error of the library's; the light is drawn without it
+  // a damaged profile is an error of the library; the light is drawn without it
   come(new ArrayBuffer(8));
   await scene.assets.settled();
   await settle();

@@ -15,7 +15,7 @@ const sameTags = (a: readonly string[] = [], b: readonly string[] = []): boolean
 
 /**
  * Computes the edits of an instance when its prefab is replaced: a three-way merge by object and field. A value that
- * equals the old prefab's takes the new one; any other value is an override and stays.
+ * equals the old prefab's is replaced by the new prefab's; any other value is an override and is kept.
  */
 export class InstanceUpdate {
   readonly edits: PrefabEdit[] = [];
@@ -46,7 +46,7 @@ export class InstanceUpdate {
   private addObjects(): void {
     for (const next of this.after.objects) {
       if (this.ids.has(next.id) || next.parent === null) continue;
-      // an object removed from this instance stays removed
+      // an object that was removed from this instance is not added again
       if (objectsOf(this.before).has(next.id) && !this.force) continue;
       const parent = this.instances.get(next.parent);
       if (!parent) continue;
@@ -77,9 +77,9 @@ export class InstanceUpdate {
     const link = object.prefabLink!;
     const pinned = new Set<string>();
     /**
-     * Whether the instance takes the prefab's new value of a property.
-     * @param isBase - whether the instance has the prefab's former value
-     * @param isNext - whether it has the new one already
+     * Whether the prefab's new value of a property replaces the instance's.
+     * @param isBase - whether the instance's value equals the old prefab's
+     * @param isNext - whether the instance's value equals the new prefab's
      */
     const takes = (path: string, isBase: boolean, isNext: boolean): boolean => {
       if (isOwnOfInstance(link.source, link.prefab, path)) return false;

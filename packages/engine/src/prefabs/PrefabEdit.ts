@@ -3,7 +3,7 @@ import type { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
 import type { PrefabLink } from '../core/Prefab';
 
-/** One edit of an instance that follows its prefab; editors turn edits into commands. */
+/** One edit of an instance, to follow its prefab; editors turn edits into undoable commands. */
 export type PrefabEdit =
   | { readonly kind: 'field'; readonly component: Component; readonly field: string; readonly value: FieldValue }
   | { readonly kind: 'enabled'; readonly component: Component; readonly value: boolean }
@@ -19,7 +19,7 @@ export type PrefabEdit =
   /** Moves an object in the tree; its local transform stays. */
   | { readonly kind: 'move-object'; readonly object: GameObject; readonly parent: GameObject };
 
-/** Carries out one edit of a plan on the objects of a scene. */
+/** Applies one edit of a plan to the objects of a scene. */
 export function applyPrefabEdit(edit: PrefabEdit): void {
   switch (edit.kind) {
     case 'field':

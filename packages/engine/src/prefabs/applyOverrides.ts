@@ -14,14 +14,15 @@ import { planPrefabChange, type PrefabPlan } from './planPrefabChange';
 function prefabOf(root: GameObject | null): { root: GameObject; prefab: Prefab } {
   const id = root?.prefabLink?.prefab ?? '';
   const prefab = root?.scene?.prefabs.get(id);
-  if (!root || !prefab) throw new PrefabError(id, 'is not in the scene, or the object is not an instance of it.');
+  if (!root || !prefab)
+    throw new PrefabError(id, 'is not in the scene, or the object is not an instance of it: choose an instance.');
   return { root, prefab };
 }
 
 const sourcesOf = (root: GameObject): Map<GameObject, string> =>
   new Map([...objectsBySource(root)].map(([source, object]) => [object, source]));
 
-/** Restores the values of a prefab's root that are each instance's own. */
+/** Restores the properties of a prefab's root that each instance has for itself: name and pose. */
 function withOwnOf(root: FileObject, old: FileObject): FileObject {
   const values = old.components.find(({ type }) => type === 'Transform')?.values ?? {};
   const components = root.components.map((component): FileComponent => {
@@ -35,9 +36,9 @@ function withOwnOf(root: FileObject, old: FileObject): FileObject {
 
 /**
  * Plan that makes a prefab equal to one of its instances; other instances follow. Position, rotation and name of the
- * instance's root stay its own.
+ * instance's root are not copied.
  * @param instance - the root of an instance in a scene
- * @throws PrefabError when the prefab is gone, or would hold itself
+ * @throws PrefabError when the prefab was removed, or would contain itself
  */
 export function planApplyAll(instance: GameObject): PrefabPlan {
   const { root, prefab } = prefabOf(instance);
@@ -56,7 +57,7 @@ export function planApplyAll(instance: GameObject): PrefabPlan {
 const sameLink = (a: PrefabLink | null, b: PrefabLink): boolean =>
   a?.prefab === b.prefab && a.source === b.source && !a.pinned;
 
-/** An instance's link to its prefab without the pin of one field: the field follows the prefab again. */
+/** An instance's link to its prefab without the pin of one field, which then follows the prefab again. */
 export function withoutPin(link: PrefabLink, path: string): PrefabLink {
   const { prefab, source } = link;
   const pinned = link.pinned?.filter((each) => each !== path) ?? [];

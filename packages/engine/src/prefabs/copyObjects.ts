@@ -15,7 +15,7 @@ export function mapReferences(
     const value = mapped[name];
     if (field.kind === 'object' && typeof value === 'string') mapped[name] = ids.get(value) ?? null;
   }
-  // data of an unknown class do not tell which values are references
+  // fields of an unknown class are not declared, so references cannot be recognised
   if (!registry.types.has(type)) {
     for (const [name, value] of Object.entries(mapped)) {
       if (typeof value === 'string') mapped[name] = ids.get(value) ?? value;
@@ -25,7 +25,7 @@ export function mapReferences(
 }
 
 /**
- * Objects of a file under other ids.
+ * Copies objects of a file under new ids.
  * @param ids - new id of every object; a parent missing from the map becomes null
  */
 export function copyObjects(

@@ -15,13 +15,13 @@ export function instanceRootOf(object: GameObject): GameObject | null {
   return null;
 }
 
-/** Objects of an instance by their ids in the prefab, without objects added to the instance. */
+/** Objects of an instance by their ids in the prefab; objects added to the instance are not included. */
 export function objectsBySource(root: GameObject): Map<string, GameObject> {
   const prefab = root.prefabLink!.prefab;
   const found = new Map<string, GameObject>();
   const visit = (object: GameObject): void => {
     const link = object.prefabLink;
-    // an instance of the same prefab below this one is another instance
+    // a nested root of the same prefab begins another instance
     if (object !== root && link?.prefab === prefab && link.source === prefab) return;
     if (link?.prefab === prefab && !found.has(link.source)) found.set(link.source, object);
     object.children.forEach(visit);
@@ -30,7 +30,7 @@ export function objectsBySource(root: GameObject): Map<string, GameObject> {
   return found;
 }
 
-/** Key of a component that all copies of its object share: 'Light', or 'Light2' for a second one. */
+/** Key of a component within its object, equal in all copies of the object: 'Light', or 'Light2' for a second Light. */
 export function componentKey(objectId: string, componentId: string): string {
   return componentId.startsWith(`${objectId}:`) ? componentId.slice(objectId.length + 1) : componentId;
 }
@@ -38,9 +38,9 @@ export function componentKey(objectId: string, componentId: string): string {
 /** Name of a component in paths of overrides. */
 export const keyOf = (component: Component): string => componentKey(component.gameObject.id, component.id);
 
-/** Paths of values that are each instance's own: position, rotation and name of its root. */
+/** Paths of values that each instance has for itself: position, rotation and name of its root. */
 const instancePaths: ReadonlySet<string> = new Set(['name', 'Transform.position', 'Transform.rotation']);
 
-/** Whether a value is never an override, but each instance's own. @param path - 'name', 'Light.intensity' */
+/** Whether a value is never an override. @param path - 'name', 'Light.intensity' */
 export const isOwnOfInstance = (source: string, prefab: string, path: string): boolean =>
   source === prefab && instancePaths.has(path);

@@ -7,9 +7,9 @@ import { copyObjects } from './copyObjects';
 import type { Prefab } from '../core/Prefab';
 
 /**
- * A new instance of a prefab, with new ids, in no scene; its objects are linked to those of the prefab.
- * @param from - id of the object to begin with; the root when absent
- * @param known - ids of objects of the instance that are there already, by their ids in the prefab
+ * Makes an instance of a prefab, with new ids, in no scene yet; its objects have links to the prefab's.
+ * @param from - id in the prefab of the subtree's top object; the root when absent
+ * @param known - ids of existing objects of the instance, by their ids in the prefab
  */
 export function instantiatePrefab(
   prefab: Prefab,

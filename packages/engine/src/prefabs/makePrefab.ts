@@ -7,16 +7,16 @@ import { copyObjects } from './copyObjects';
 import { instanceRootOf } from './instances';
 import { type Prefab, PrefabError, type PrefabLink } from '../core/Prefab';
 
-/** A prefab, and how the objects that it was made of link to it. */
+/** A prefab, and the links that turn its source objects into an instance. */
 export interface MadePrefab {
   readonly prefab: Prefab;
   readonly links: ReadonlyMap<GameObject, PrefabLink>;
 }
 
 /**
- * A prefab of an object with all below it; nothing of the scene changes. Instances of other prefabs below it, or it
- * itself, stay instances within the new one.
- * @throws PrefabError when the object is a part of an instance: the whole instance can be taken, or its parts unpacked
+ * Makes a prefab of an object and its descendants; the scene is not changed. Instances of other prefabs among them stay
+ * nested instances.
+ * @throws PrefabError when the object is a part of an instance: use the whole instance, or unpack it
  */
 export function makePrefab(object: GameObject, name = object.name, id = createId()): MadePrefab {
   const outer = instanceRootOf(object);
@@ -30,9 +30,9 @@ export function makePrefab(object: GameObject, name = object.name, id = createId
 }
 
 /**
- * Prefab data made of a whole tree.
- * @param sources - ids that objects have in it already; the others get new ones
- * @param old - the links within the prefab of objects that are in it already
+ * Makes prefab data from an object tree.
+ * @param sources - ids that objects already have in the prefab; other objects get new ones
+ * @param old - links of the prefab's present objects
  */
 export function readPrefab(
   root: GameObject,

@@ -13,7 +13,7 @@ import { lampPrefab, lightOf, newScene, place, registry, run, scene, take } from
 beforeEach(() => newScene());
 
 describe('a prefab within another', () => {
-  /** Street > two lamps. */
+  /** A street that contains two lamps. */
   function street(): { lamp: GameObject; lampData: Prefab; street: GameObject; streetData: Prefab } {
     const { lamp, prefab } = lampPrefab();
     const road = new GameObject('Street');
@@ -47,7 +47,7 @@ describe('a prefab within another', () => {
     expect(second.children.map((child) => lightOf(child).intensity)).toEqual([20, 11]);
     expect(second.children.every((child) => child.find('Third'))).toBe(true);
     expect(first.children.every((child) => child.find('Third'))).toBe(true);
-    // applied to the street, not to the lamp
+    // applied to the street's prefab, not the lamp's
     run(planApplyAll(second));
     expect(first.children.map((child) => lightOf(child).intensity)).toEqual([20, 11]);
     expect(lightOf(place(lampData)).intensity).toBe(6);

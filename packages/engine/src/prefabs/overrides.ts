@@ -10,9 +10,9 @@ import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 export interface FieldOverride {
   readonly component: Component;
   readonly field: string;
-  /** 'Lamp/Light.intensity': name of the object, key of the component, field. */
+  /** Path for messages: name of the object, key of the component, field, as in 'Lamp/Light.intensity'. */
   readonly path: string;
-  /** The prefab's value; references are ids of the instance. */
+  /** The prefab's value; references are converted to ids of the instance. */
   readonly base: FieldValue;
 }
 
@@ -41,8 +41,8 @@ const idsIn = (root: GameObject): Map<string, string> =>
   new Map([...objectsBySource(root)].map(([source, { id }]) => [source, id]));
 
 /**
- * The override of a field of an instance; null when the field follows the prefab, when its value is each instance's own
- * (position and rotation of the root), or when the component is in no prefab.
+ * The override of an instance's field; null when the field follows the prefab, when each instance has the value for
+ * itself (pose of the root), or when the component is in no prefab.
  */
 export function fieldOverride(component: Component, field: string): FieldOverride | null {
   const object = component.gameObject;
@@ -61,7 +61,7 @@ export function fieldOverride(component: Component, field: string): FieldOverrid
   return isOverride ? { component, field, path: `${object.name}/${path}`, base } : null;
 }
 
-/** Everything by which an instance differs from its prefab. @param root - of the instance */
+/** Everything by which an instance differs from its prefab. @param root - root of the instance */
 export function overridesOf(root: GameObject): PrefabOverrides {
   const source = sourceOf(root);
   if (!source) return { fields: [], structural: [] };

@@ -13,9 +13,9 @@ import { PrefabSizes } from '../files/PrefabSizes';
 
 /** Changes that follow from a new version of a prefab; nothing is changed until they are applied. */
 export interface PrefabPlan {
-  /** New data of the prefab, and of prefabs that hold instances of it. */
+  /** New data of the prefab, and of prefabs with instances of it. */
   readonly prefabs: readonly Prefab[];
-  /** Edits of the scene's objects, in this order. */
+  /** Edits of the scene's objects, in order. */
   readonly edits: readonly PrefabEdit[];
 }
 
@@ -58,7 +58,7 @@ function inOrder(scene: Scene, except: string): Prefab[] {
   return ordered;
 }
 
-/** @throws PrefabError when a prefab would hold itself, or come to more than a file may hold */
+/** @throws PrefabError when a prefab would contain itself, or exceed the limits of a file */
 function checkChange(scene: Scene, next: Prefab): void {
   const free = new Set<string>();
   for (const { name, prefab: link } of next.objects) {
@@ -86,10 +86,10 @@ function checkChange(scene: Scene, next: Prefab): void {
 }
 
 /**
- * Finds what has to change when a prefab becomes `next`: prefabs that hold it, and every instance in the scene, their
- * overrides kept. Nothing is changed by this; see `changePrefab`.
+ * Plans the change of a prefab to `next`: edits of prefabs that contain it, and of its instances in the scene, which
+ * keep their overrides. Changes nothing itself; see `changePrefab`.
  * @param except - root of an instance that already equals the new prefab
- * @throws PrefabError when it would hold itself, or come to more than a file may hold
+ * @throws PrefabError when the prefab would contain itself, or exceed the limits of a file
  */
 export function planPrefabChange(scene: Scene, next: Prefab, except: GameObject | null = null): PrefabPlan {
   checkChange(scene, next);
@@ -111,9 +111,7 @@ export function planPrefabChange(scene: Scene, next: Prefab, except: GameObject 
   return { prefabs: [...changed.values()], edits: withoutLost(edits) };
 }
 
-/**
- * Without removing what is below another object that goes, and goes with it: an instance within what an instance loses.
- */
+/** Drops removals of objects below another removed object. */
 function withoutLost(edits: readonly PrefabEdit[]): PrefabEdit[] {
   const removed = new Set<GameObject>();
   for (const edit of edits) if (edit.kind === 'remove-object') removed.add(edit.object);
@@ -125,7 +123,7 @@ function withoutLost(edits: readonly PrefabEdit[]): PrefabEdit[] {
   });
 }
 
-/** Adds a prefab, or replaces the prefab of the same id: all instances follow, and keep their overrides. */
+/** Adds a prefab, or replaces the one of the same id: its instances are updated, and keep their overrides. */
 export function changePrefab(scene: Scene, next: Prefab): void {
   const plan = planPrefabChange(scene, next);
   for (const prefab of plan.prefabs) scene.prefabs.set(prefab);

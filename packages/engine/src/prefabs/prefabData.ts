@@ -13,7 +13,7 @@ export function objectsOf(prefab: Prefab): ReadonlyMap<string, FileObject> {
   return index;
 }
 
-/** The components of an object by key. The Transform is there even where the data leave it out. */
+/** The components of an object by key, including the Transform even if the data omit it. */
 export function componentsOf(object: FileObject): Map<string, FileComponent> {
   const found = new Map(object.components.map((component) => [componentKey(object.id, component.id), component]));
   if (![...found.values()].some(({ type }) => type === 'Transform')) {
@@ -23,9 +23,9 @@ export function componentsOf(object: FileObject): Map<string, FileComponent> {
 }
 
 /**
- * The value of a field in data that leave defaults out, references as ids of an instance. The default where the field,
- * of a script whose text has changed, does not allow what the data have; undefined where a component of an unknown
- * class has a value and the data have none.
+ * Value of a field in data that omit defaults; references are converted to ids of an instance. The default for a value
+ * that the field of an edited script no longer allows; undefined for a value of an unknown class that the data do not
+ * have.
  */
 export function valueIn(
   component: FileComponent,
@@ -39,12 +39,12 @@ export function valueIn(
   return field.kind === 'object' && typeof value === 'string' ? (ids.get(value) ?? null) : value;
 }
 
-/** Fields whose value decides which fields with `Field.viewOf` a component has. */
+/** Fields whose value decides which views (`Field.viewOf`) a component has. */
 const sourcesOfViews = ['surface', 'model', 'parts'];
 
 /**
- * The fields by which a component is compared with data of it: uniforms of the surface and weights of morph targets one
- * by one where all have the same ones, else what holds them.
+ * Names of the fields by which a component is compared with data: views (uniforms, morph weights) one by one if all
+ * have the same views, else the fields that store them.
  */
 export function comparedFields(own: Component, ...others: readonly FileComponent[]): string[] {
   const { fields } = own;

@@ -40,7 +40,7 @@ describe('the values of a surface that an object wears by itself', () => {
     expect(overridesOf(other).fields.map(({ path, base }) => [path, base])).toEqual([
       ['Crate/ObjectRenderer.surface.b', 2],
     ]);
-    // the prefab takes another value of the other one: both hold
+    // the prefab changes the other value: both changes are kept
     renderer.set('surface.a', 6);
     run(planApplyField(renderer, 'surface.a'));
     expect(values(other)).toEqual([6, 7]);
@@ -84,7 +84,7 @@ describe('components of scripts, whose fields have changed since the prefab was 
   const Fast = scriptOf({ rate: number(1, { help: '' }), far: boolean(false, { help: '' }) });
   const Named = scriptOf({ rate: string('slow', { help: '' }) });
 
-  /** A prefab of the values that Fast has. */
+  /** A prefab with the values of Fast. */
   function spinning(): { spinner: GameObject; prefab: Prefab } {
     newScene(keeping);
     const spinner = new GameObject('Spinner');

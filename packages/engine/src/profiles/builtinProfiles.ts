@@ -1,6 +1,6 @@
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 
-/** An asset of type 'profile', made when it is first needed. */
+/** An asset of type 'profile', made on first use. */
 export interface ProfileSource {
   readonly type: 'profile';
   load(): Promise<PhotometricProfile>;
@@ -11,7 +11,7 @@ const made = (name: 'downlight' | 'wallWasher' | 'streetLight'): ProfileSource =
   load: async () => (await import('./makeProfile')).makeProfile(name),
 });
 
-/** Photometric profiles that every library knows: luminaires that nobody makes, as typical ones of their kind. */
+/** Photometric profiles of every library: typical luminaires, of no particular maker. */
 export const builtinProfiles: Readonly<Record<string, ProfileSource>> = {
   'profile/downlight': made('downlight'),
   'profile/wall-washer': made('wallWasher'),

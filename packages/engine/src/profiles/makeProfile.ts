@@ -3,7 +3,7 @@ import { PhotometricProfile } from '@farol/renderer/light-profiles';
 /** A luminaire: its intensity by direction (cd), angles in radians. */
 interface Luminaire {
   readonly luminaire: string;
-  /** Difference between two horizontal angles, and the last of them: 0, 90 or 180 (degrees). */
+  /** Step between horizontal angles, and the greatest of them: 0, 90 or 180 (degrees). */
   readonly step: number;
   readonly end: number;
   readonly intensity: (vertical: number, horizontal: number) => number;

@@ -12,8 +12,8 @@ export interface CompiledScript {
 }
 
 /**
- * Runs the text of a script, its exports being added to `exports`.
- * @param check - throws when a loop has gone on for too long
+ * Runs the text of a script, which adds its exports to `exports`.
+ * @param check - throws when a loop has run for too long
  */
 export type ScriptFunction = (
   require: (specifier: string) => unknown,
@@ -22,5 +22,5 @@ export type ScriptFunction = (
   check: () => void,
 ) => void;
 
-/** Gets the function of a compiled script. @throws ScriptError where the text is no JavaScript */
+/** Returns the function of a compiled script. @throws ScriptError for invalid JavaScript */
 export type ScriptRunner = (script: CompiledScript) => ScriptFunction | Promise<ScriptFunction>;

@@ -19,24 +19,23 @@ interface Memory {
   readonly kept: Map<string, FieldValue>;
   /** Initial values of the present class's fields. */
   initialValues: Values;
-  /** Values at the time the component left each class, by the class's origin. */
+  /** Values when the component left each class, by the class's origin (its script text). */
   readonly pasts: Map<object | null, Past>;
 }
 
 /**
- * Carries field values of components from class to class: values that do not fit a class are kept for a class that they
- * fit, so that undoing a script's edit restores them.
+ * Carries field values of components from class to class: values that do not fit a class are kept for later classes, so
+ * that undoing an edit of a script restores them.
  */
 export class KeptValues {
   private readonly memories = new WeakMap<Component, Memory>();
 
   /**
-   * Replaces a component by one of another class; by kept data when there is none. A component that still has the
-   * values it got when it left a class gets back the values that it had there.
+   * Replaces a component by one of another class, or by stored data (null). A component whose values are unchanged
+   * since it left a class gets back its values in that class.
    *
-   * @param from - what the class that it has comes of, the same for the same text of a script; null for data that are
-   * kept
-   * @param origin - what the next class comes of
+   * @param from - origin of the present class, equal for equal script texts; null for stored data
+   * @param origin - origin of the next class
    */
   change(component: Component, type: ComponentClass | null, from: object | null, origin: object | null): void {
     const memory = this.note(component);
@@ -59,7 +58,7 @@ export class KeptValues {
     this.memories.set(after, memory);
   }
 
-  /** Notes which values were set since the component got its class. */
+  /** Records which values were set since the component got its class. */
   private note(component: Component): Memory {
     const memory: Memory = this.memories.get(component) ?? { kept: new Map(), initialValues: {}, pasts: new Map() };
     for (const [name, field] of Object.entries(component.fields)) {

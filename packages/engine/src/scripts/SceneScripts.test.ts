@@ -164,14 +164,14 @@ test('a broken text runs the class that it had when it was typed, also where und
   expect(currentOf(component).get('rate')).toBe(1);
   expect(savedNow()).toBe(saved);
   expect(problems(scripts)).toHaveLength(2);
-  // one that was broken from the first has no class, and again none
+  // a script that has never compiled has no class, and after another error still none
   await edit(scene, scripts, 'Late', plain.replaceAll('Spin', 'Late'));
   expect(scripts.classOf('Late')).not.toBeNull();
   await edit(scene, scripts, 'Late', broken);
   expect(scripts.classOf('Late')).toBeNull();
 });
 
-/** A script that keeps the Spin of its object, once as a property and once in a list. */
+/** A script that refers to the Spin of its object in a property and in an array. */
 const holder = `import { component } from '@farol/engine/fields';
 export default class Holder extends component({}) {
   spin = null;

@@ -17,15 +17,15 @@ import { placeOfError } from './scriptUrl';
 export interface SceneScriptsOptions {
   /** Modules that scripts can import besides each other, by name: 'three', '@farol/engine', '@farol/engine/fields'. */
   readonly modules: Readonly<Record<string, object>>;
-  /** Gets the function of a compiled script: `runInPage`, or what a test has. */
+  /** Returns the function of a compiled script: `runInPage`, or a substitute in tests. */
   readonly run: ScriptRunner;
-  /** `compileScript`; a page with compiled scripts gives those. */
+  /** `compileScript`, or a function that returns precompiled scripts. */
   readonly compile: (name: string, source: string) => Promise<CompiledScript | ScriptError>;
   /** Whether the scene's scripts run; true when absent. */
   readonly isOn?: boolean;
 }
 
-/** Texts of a script whose functions are kept: as many as a history has steps. */
+/** Greatest number of texts per script whose functions are cached, as many as a history has steps. */
 const KEPT_TEXTS = 1000;
 
 /** State of one script asset, kept after its removal from the library, since undo brings the asset back. */
@@ -33,13 +33,13 @@ class Entry {
   /** Compiled function, or compile error, of each source text. */
   readonly results = new Map<string, ScriptFunction | ScriptError>();
   /**
-   * For each text that could not be compiled the function that ran when it was typed; null for none. It runs for that
-   * text whenever it is there again: by undo it comes after another text, and all is to be as it was.
+   * For each text that could not be compiled, the function that ran before it; null for none. It runs again whenever
+   * the text returns, for instance by undo.
    */
   private readonly lastGood = new Map<string, ScriptFunction | null>();
   /** Source text that is being compiled; null when none is. */
   pending: string | null = null;
-  /** The function that the running module is of, and the name that the module has. */
+  /** Function of the running module; `name` is the module's name. */
   run: ScriptFunction | null = null;
   name = '';
   componentClass: ComponentClass | null = null;
@@ -76,16 +76,16 @@ class Entry {
 }
 
 /**
- * The scripts of a scene: compiled, run as modules, and their classes known to the scene's registry. When a script
- * changes, components of the new class replace its components, with the values of their fields; one that is broken leaves
- * the last good class. Without their script, or while scripts are off, its components are kept as data.
+ * The scripts of a scene: compiles them, runs them as modules, and registers their classes. When a script changes, its
+ * components are replaced by ones of the new class with the same field values; a broken script leaves the last good
+ * class in use. Without their script, or while scripts are off, components are kept as data.
  */
 export class SceneScripts {
   private readonly entries = new Map<ScriptAsset, Entry>();
   private readonly modules: ScriptModules;
   private readonly values = new KeptValues();
   private readonly entryOf = new WeakMap<ComponentClass, Entry>();
-  /** The function of the text that each class comes of. */
+  /** Function of the script text that each class comes from. */
   private readonly runOf = new WeakMap<ComponentClass, ScriptFunction>();
   private readonly listeners = new Set<() => void>();
   private readonly endings: (() => void)[];
@@ -100,7 +100,7 @@ export class SceneScripts {
     private readonly options: SceneScriptsOptions,
   ) {
     this.running = options.isOn ?? true;
-    // `import * as` does not wrap modules with this property
+    // keeps `import * as` from wrapping these modules
     const given = Object.entries(options.modules).map(
       ([name, module]) => [name, { ...module, __esModule: true }] as const,
     );
@@ -131,7 +131,7 @@ export class SceneScripts {
     return this.running;
   }
 
-  /** Runs the scripts, or has their components kept as data. */
+  /** Runs the scripts, or keeps their components as data. */
   set isOn(value: boolean) {
     if (value === this.running) return;
     this.running = value;
@@ -149,8 +149,8 @@ export class SceneScripts {
   }
 
   /**
-   * The class that runs for a script, by the name of the asset; null for one without a default export, and while it is
-   * broken from the first.
+   * Running class of a script, by the asset's name; null for a script without a default export, or one that has never
+   * compiled.
    */
   classOf(name: string): ComponentClass | null {
     const asset = this.scene.assets.fieldAsset(name);
@@ -171,20 +171,20 @@ export class SceneScripts {
   }
 
   /**
-   * Calls `listener` when a script is compiled, fails or goes, and when scripts are switched on or off.
-   * @returns a function that ends it
+   * Calls `listener` when a script is compiled, fails or is removed, and when scripts are switched on or off.
+   * @returns a function that removes the listener
    */
   onChange(listener: () => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
 
-  /** Fulfilled when no script is being compiled. */
+  /** Resolves when no script is being compiled. */
   settled(): Promise<void> {
     return this.isCompiling ? new Promise((resolve) => this.waiting.push(resolve)) : Promise.resolve();
   }
 
-  /** Runs all scripts anew: their modules and components are as they were before they ran. */
+  /** Runs all scripts again, with new modules and components. */
   restart(): void {
     if (this.running && this.scene.isSimulated) this.apply(true);
   }
@@ -250,8 +250,8 @@ export class SceneScripts {
   }
 
   /**
-   * Runs what has changed, with what imports it, and changes the classes of components.
-   * @param isAll - runs all anew
+   * Runs changed scripts, and those that import them, and updates the classes of components.
+   * @param isAll - runs all scripts
    */
   private apply(isAll = false): void {
     const { modules } = this;
@@ -292,7 +292,7 @@ export class SceneScripts {
     const { name, source } = entry.asset;
     const { newest } = entry;
     if (!newest) {
-      // broken from the first: another text may have run meanwhile
+      // never compiled: another script's text may have run under this name meanwhile
       this.setClass(entry, null);
       Object.assign(entry, { run: null, name: '' });
       return;
@@ -346,7 +346,7 @@ export class SceneScripts {
     }
   }
 
-  /** Makes properties of a script's component that hold replaced components, or lists of them, hold the current ones. */
+  /** Replaces references to replaced components, in properties and arrays of a script's component. */
   private followReplaced(component: Component): void {
     if (!this.entryOf.has(component.componentClass)) return;
     for (const holder of [component, ...Object.values(component).filter(Array.isArray)])

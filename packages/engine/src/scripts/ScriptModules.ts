@@ -13,15 +13,15 @@ export interface ScriptModule {
 
 const quotedList = (names: readonly string[]): string => names.map((name) => `'${name}'`).join(', ');
 
-/** Runs scripts as modules which import each other and what the host gives them. */
+/** Runs scripts as modules, which import each other and the host's modules. */
 export class ScriptModules {
   private readonly modules = new Map<string, ScriptModule>();
   /** Names of scripts whose text is running, the outermost first. */
   private readonly running: string[] = [];
 
   /**
-   * @param functionOf - the function of a script; null when there is no such script; throws when it is broken
-   * @param given - modules that are no scripts, such as three, by name
+   * @param functionOf - returns a script's function, or null for an unknown script; throws for a broken one
+   * @param given - modules of the host, such as three, by name
    */
   constructor(
     private readonly functionOf: (name: string) => ScriptFunction | null,
@@ -41,7 +41,7 @@ export class ScriptModules {
     this.modules.set(module.name, module);
   }
 
-  /** Every script that has imported one of these, also by way of others, and these. */
+  /** The given scripts, and all scripts that import one of them, directly or indirectly. */
   dependentsOf(names: Iterable<string>): Set<string> {
     const found = new Set(names);
     for (const name of found) {
@@ -51,14 +51,14 @@ export class ScriptModules {
   }
 
   /**
-   * The module of a script, run when it is first asked for.
-   * @throws ScriptError when it, or one that it imports, fails
+   * The module of a script, which runs on the first call.
+   * @throws ScriptError when the script, or one that it imports, fails
    */
   load(name: string): ScriptModule {
     const known = this.modules.get(name);
     if (known) return known;
     const run = this.functionOf(name);
-    if (!run) throw new ScriptError(name, 'there is no such script.');
+    if (!run) throw new ScriptError(name, 'there is no such script: create it, or correct the name.');
     const imports = new Set<string>();
     const holder: { exports: Record<string, unknown> } = { exports: {} };
     this.running.push(name);

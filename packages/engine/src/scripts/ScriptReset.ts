@@ -1,6 +1,6 @@
 import type { SceneSystem } from '../core/SceneSystem';
 
-/** Tells the scripts of a scene that it was reset. */
+/** Notifies the scripts of a scene of its reset. */
 export class ScriptReset implements SceneSystem {
   readonly order = 0;
   onReset: (() => void) | null = null;

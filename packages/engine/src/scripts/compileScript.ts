@@ -3,11 +3,11 @@ import type { CompiledScript } from './CompiledScript';
 import type { ScriptError } from './ScriptError';
 
 /**
- * Makes JavaScript of the text of a script: types are taken out, imports become calls of `require`, loops check a time limit.
- * Lines stay where they are.
- * @param name - of the script asset: TypeScript, or JavaScript where it ends in `.js`
- * @returns the error, with line and column, where the text cannot be read; errors that only the browser's own compiler finds
- * come when it is run
+ * Compiles a script to JavaScript: removes types, turns imports into calls of `require`, adds a time limit to loops.
+ * Line numbers are kept.
+ * @param name - name of the script asset; `.js` means JavaScript, all else TypeScript
+ * @returns an error with line and column when the text cannot be parsed; errors that only the browser's compiler finds
+ *   are thrown when the script runs
  * @throws Error (as a rejection) when the package sucrase cannot be loaded
  */
 export async function compileScript(name: string, source: string): Promise<CompiledScript | ScriptError> {

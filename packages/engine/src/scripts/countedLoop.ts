@@ -1,6 +1,6 @@
 import { openingOf, type ScriptToken, within } from './scriptTokens';
 
-/** A `for (;;)` whose counter changes by a constant in each iteration. Places are indices of tokens. */
+/** A `for (;;)` whose counter changes by a constant in each iteration. Positions are indices of tokens. */
 export interface CountedLoop {
   readonly counter: string;
   /** Whether the loop's counter increases. */
@@ -15,15 +15,15 @@ const LEAST_STEP = 0.01;
 /** Tokens allowed in the initial value of a loop's counter; one must be a number, so that the counter is no BigInt. */
 const PLAIN = new Set(['name', 'num', '.', '+', '-', '*', '/', '%', '+/-']);
 
-/** Tokens that begin a function, which could capture the counter of a pass. */
+/** Tokens that begin a function, which could capture the counter of an iteration. */
 const FUNCTIONS = new Set(['=>', 'function', 'class']);
 const BEFORE_BLOCK = new Set(['if', 'for', 'while', 'switch', 'catch', 'with']);
 
 /**
- * Reads `for (let i = 0; …; i++) { … }`, where nothing but the head gives `i` another value and no function is made in
- * it; null for any other loop.
- * @param at - the token `for`
- * @param close - the bracket that ends the head
+ * Recognises `for (let i = 0; …; i++) { … }` in which only the head assigns to `i` and no function is made; null for
+ * any other loop.
+ * @param at - index of the token `for`
+ * @param close - index of the bracket that closes the head
  */
 export function countedLoop(
   code: string,
@@ -34,7 +34,7 @@ export function countedLoop(
 ): CountedLoop | null {
   const label = (i: number): string => tokens[i]?.label ?? '';
   const text = (i: number): string => code.slice(tokens[i].start, tokens[i].end);
-  // `continue` with a label must not come to the loop that is put around it
+  // a labelled `continue` must not reach the loop that is put around this one
   if (label(at - 1) === ':' || label(close + 1) !== '{') return null;
   if (label(at + 1) !== '(' || label(at + 2) !== 'let' || label(at + 3) !== 'name' || label(at + 4) !== '=')
     return null;
@@ -55,7 +55,7 @@ export function countedLoop(
   return { counter, isUp: step.isUp, end };
 }
 
-/** `i++`, `++i`, `i += 2` and those downwards, as the whole of the head's last part or before a comma. */
+/** Recognises `i++`, `++i`, `i += 2` and their decrements, as the whole last part of the head or before a comma. */
 function stepOf(
   at: number,
   counter: string,
@@ -72,10 +72,7 @@ function stepOf(
   return { isUp: sign === '+=', length: 3 };
 }
 
-/**
- * Whether a token may belong to what gives the counter another value, or to a function, which keeps the counter of its
- * pass.
- */
+/** Whether a token may begin an assignment to the counter, or a function, which could capture it. */
 function mayChange(
   tokens: readonly ScriptToken[],
   i: number,
@@ -92,7 +89,7 @@ function mayChange(
   }
   if (kind === '=' && (label(i - 1) === ']' || label(i - 1) === '}')) {
     const before = label(openingOf(tokens, i - 1) - 1);
-    // an assignment by destructuring changes its names
+    // a destructuring assignment changes its variables
     if (label(i - 1) === '}' || !(before === 'name' || before === ')' || before === ']')) return true;
   }
   if (kind !== 'name' || text(i) !== counter || label(i - 1) === '.') return false;

@@ -2,14 +2,17 @@ import { describe, expect, test, vi } from 'vitest';
 import { guardLoops } from './guardLoops';
 import { LOOP_LIMIT, loopCheck } from './loopCheck';
 
-/** Looks at the clock after which a loop counts as endless here. */
+/** Number of clock readings after which a loop counts as endless in this test. */
 const LOOKS = 50;
 
 const run = (body: string, check: () => void, declare = 'function'): unknown =>
   // oxlint-disable-next-line no-implied-eval -- as the page runs scripts
   new Function('$check', `"use strict";let $passes=0;return (${declare} (){${guardLoops(body)}})()`)(check);
 
-/** Runs a text whose loop has no end. @returns how often the clock was looked at before it was ended */
+/**
+ * Runs a text with an endless loop. @returns number of clock readings until it was stopped
+ * @returns how often the clock was looked at before it was ended
+ */
 function looksOf(body: string): number {
   let looks = 0;
   const check = (): void => {
@@ -114,6 +117,6 @@ test('promises that never let the page have its turn are ended', async () => {
   );
   expect(now).toBeGreaterThan(LOOP_LIMIT);
   clock.mockRestore();
-  // a pause of the page ends the count; it comes by a message, which may come after a timer
+  // a task of the page resets the count; its message may arrive after a timer
   await vi.waitFor(() => run('for (let i = 0; i < 1e5; i++) await null;', loopCheck, 'async function'));
 });

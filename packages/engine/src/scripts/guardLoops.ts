@@ -11,12 +11,12 @@ const STEPS = 1024;
 const GUARD = `(($passes=$passes+1&${PASSES - 1})||$check())`;
 
 /**
- * Adds checks of a time limit to the loops of JavaScript (`for` of every kind, `while` and `do`); lines stay where they
- * are. The result needs `$passes`, a number, and `$check`, a function that throws when a loop runs for too long.
+ * Adds checks of a time limit to the loops of JavaScript (`for` of every kind, `while` and `do`); line numbers are
+ * kept. The result needs `$passes`, a number, and `$check`, a function that throws when a loop runs for too long.
  *
- * A call within a loop keeps browsers from making it fast, whether it is made or not. So a `for` that counts has
- * another one around it that makes the call, each time that the counter has gone on by `STEPS`:
- * `for(let i=0,$end=…;;){for($end=i+1024;!(i>=$end)&&(i<n);i++){…}if(!(i>=$end))break;$check();}`.
+ * A call inside a loop prevents its optimisation by browsers, even if it is not executed. A counting `for` is therefore
+ * wrapped in an outer loop, which makes the call each time the counter has advanced by `STEPS`: `for(let
+ * i=0,$end=…;;){for($end=i+1024;!(i>=$end)&&(i<n);i++){…}if(!(i>=$end))break;$check();}`.
  */
 export function guardLoops(code: string): string {
   if (!/\b(for|while)\b/.test(code)) return code;
@@ -32,7 +32,7 @@ export function guardLoops(code: string): string {
     const [first, second] = semicolons;
     if (second === undefined) {
       const hasBraces = tokens[close + 1]?.label === '{';
-      // an `else` after the loop is that of an `if` around it, since this one has its own
+      // the inner `if` gets its own `else`, so that an `else` after the loop still belongs to the outer `if`
       additions.push(
         hasBraces ? [tokens[close + 1].end, `${GUARD};`] : [tokens[close].end, `if(${GUARD},false);else `],
       );

@@ -1,4 +1,4 @@
-/** Scripts of scenes: compiling, running, and what is wrong with them. */
+/** Scripts of scenes: compiling, running and error reports. */
 export type { CompiledScript, ScriptFunction, ScriptRunner } from './CompiledScript';
 export { compileScript } from './compileScript';
 export { resolveScript } from './resolveScript';

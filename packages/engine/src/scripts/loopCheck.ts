@@ -1,14 +1,14 @@
-/** Longest time (ms) that loops of scripts may take without the page getting its turn. */
+/** Longest time (ms) that loops of scripts may run before the page must process other tasks. */
 export const LOOP_LIMIT = 2000;
 
-/** Number of microtasks with a loop, in a row without a task of the page, that count as an endless loop. */
+/** Number of consecutive microtasks with loops, without another task of the page, that count as an endless loop. */
 const TURNS = 100;
 
-/** Time at which scripts began to run in this task of the page (ms); 0 until a loop asks. */
+/** Start (ms) of scripts in the current microtask; 0 until a loop calls `loopCheck`. */
 let since = 0;
-/** Since when the page had no pause (ms); 0 when no loop has asked since. */
+/** Time (ms) of the first `loopCheck` since the page's last other task; 0 for none. */
 let begun = 0;
-/** Turns since then that loops have asked in. */
+/** Number of microtasks that called `loopCheck` since `begun`. */
 let turns = 0;
 
 function turnEnded(): void {
@@ -22,19 +22,19 @@ function paused(): void {
 
 let channel: MessageChannel | null = null;
 
-/** Calls `paused` once the page gets its turn: promises that go on by themselves do not give it one. */
+/** Calls `paused` in the next task of the page; chained promises (microtasks) run before that. */
 function askForPause(): void {
   if (!channel) {
     channel = new MessageChannel();
     channel.port1.addEventListener('message', paused);
     channel.port1.start();
-    // in Node a port would keep the process
+    // in Node an open port would keep the process alive
     for (const port of [channel.port1, channel.port2]) (port as { unref?: () => void }).unref?.();
   }
   channel.port2.postMessage(null);
 }
 
-/** Called by loops of scripts now and then. @throws Error when scripts have run for `LOOP_LIMIT` without a pause */
+/** Called by loops of scripts at intervals. @throws Error when scripts have run for `LOOP_LIMIT` without a pause */
 export function loopCheck(): void {
   const now = performance.now();
   if (begun === 0) {
@@ -43,7 +43,7 @@ export function loopCheck(): void {
   }
   if (since === 0) {
     since = now;
-    // runs once the code that the page called has come to its end
+    // runs when the current call stack is empty
     queueMicrotask(turnEnded);
   }
   const isStuck = turns > TURNS && now - begun > LOOP_LIMIT;

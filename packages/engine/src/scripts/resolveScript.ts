@@ -1,4 +1,4 @@
-/** A name with `.` and `..` taken out; null where it leads above the top. */
+/** Resolves `.` and `..` in a path; null when it leads above the top folder. */
 function normalised(path: string): string | null {
   const parts: string[] = [];
   for (const part of path.split('/')) {
@@ -10,7 +10,7 @@ function normalised(path: string): string | null {
 }
 
 /**
- * The name of the script that an import such as './helpers' or '../tools/helpers' leads to, seen from another script's
+ * Name of the script that an import such as './helpers' or '../tools/helpers' means, relative to the importing script's
  * folder; null when there is none.
  */
 export function resolveScript(specifier: string, from: string, has: (name: string) => boolean): string | null {

@@ -1,11 +1,11 @@
 import type { CompiledScript, ScriptFunction } from './CompiledScript';
 import { ScriptError } from './ScriptError';
 
-/** Global table where compiled scripts put their functions, by name. */
+/** Global table in which compiled scripts store their functions, by name. */
 export const givenScripts = (): Record<string, ScriptFunction | undefined> =>
   ((globalThis as { farolScripts?: Record<string, ScriptFunction> }).farolScripts ??= {});
 
-/** The function that a script of the page has given under a name, taken away. @throws ScriptError when there is none */
+/** Removes and returns the function that a script stored under a name. @throws ScriptError when there is none */
 export function takeGiven(name: string): ScriptFunction {
   const given = givenScripts();
   const taken = given[name];
@@ -16,8 +16,8 @@ export function takeGiven(name: string): ScriptFunction {
 }
 
 /**
- * Runs a compiled script as a script of the page; its policy must allow scripts of `blob:`.
- * @throws ScriptError for a text that is no JavaScript
+ * Runs a compiled script as a script of the page; the page's Content-Security-Policy must allow `blob:` scripts.
+ * @throws ScriptError for invalid JavaScript
  */
 export function runInPage({ name, code }: CompiledScript): Promise<ScriptFunction> {
   const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));

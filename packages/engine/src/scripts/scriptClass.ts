@@ -5,14 +5,14 @@ import { scriptClasses } from '../core/scriptClasses';
 import { asScriptError, type ScriptModule } from './ScriptModules';
 import { ScriptError } from './ScriptError';
 
-/** The name of components of a script whose class names none: that of the asset without folder and ending. */
+/** Default type name of a script's components: the asset's name without folder and extension. */
 export const typeNameOf = (script: string): string =>
   script.slice(script.lastIndexOf('/') + 1).replace(/\.(m?js|ts)$/, '');
 
 /**
- * The class of components that a script exports; null for one without a default export, which others import.
- * @param hadClass - a text of it before had a class
- * @throws ScriptError when the default export is no class of components, or none can be made of it
+ * Class of components that a script exports; null for a script without a default export, which only others import.
+ * @param hadClass - whether an earlier text of the script exported a class
+ * @throws ScriptError when the default export is no component class, or its constructor throws
  */
 export function scriptClass({ name, exports }: ScriptModule, source: string, hadClass: boolean): ComponentClass | null {
   const type = exports.default as ComponentClass | undefined;

@@ -77,7 +77,7 @@ export default class Run extends component({ rate: number(speed, { help: '' }) }
   expect(run.get('rate')).toBe(4);
   expect(run).toMatchObject({ at: { x: 1, y: 2, z: 3 } });
   expect(scripts.classOf('half.js')).toBeNull();
-  // who imports it is run anew with it
+  // scripts that import it run again too
   scene.assets.fieldAsset('half.js')!.set('source', 'export const half = 1;');
   await scripts.settled();
   expect(currentOf(run).get('rate')).toBe(8);
@@ -142,7 +142,7 @@ test('a loop without an end is left after two seconds, its component is off unti
   scene.onComponentError = (_component, error) => errors.push((error as Error).message);
   const clock = performance.now.bind(performance);
   let ahead = 0;
-  // the clock goes faster than the test
+  // makes the clock faster than the test
   performance.now = () => clock() + (ahead += 100);
   try {
     scene.update(0.1);

@@ -1,4 +1,4 @@
-// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+// an optional peer dependency: when it is absent, bundlers fail on named imports, but not on a namespace
 import * as sucrase from 'sucrase';
 
 /** A token of JavaScript as sucrase labels it: 'for', '(', 'name', '_=' for `+=`, '++/--'. */
@@ -8,7 +8,7 @@ export interface ScriptToken {
   readonly end: number;
 }
 
-/** The tokens of a text that can be read. */
+/** Tokens of a valid JavaScript text. */
 export function scriptTokens(code: string): ScriptToken[] {
   const starts = [0];
   for (let at = code.indexOf('\n'); at >= 0; at = code.indexOf('\n', at + 1)) starts.push(at + 1);
@@ -25,7 +25,7 @@ export function scriptTokens(code: string): ScriptToken[] {
 const OPENING = new Set(['(', '[', '{', '${']);
 const CLOSING = new Set([')', ']', '}']);
 
-/** The place of the bracket that closes the one at `open`, and those of the semicolons directly within; -1 when there is none. */
+/** Index of the bracket that closes the one at `open` (-1 for none), and of the semicolons directly inside. */
 export function within(tokens: readonly ScriptToken[], open: number): { close: number; semicolons: number[] } {
   const semicolons: number[] = [];
   let depth = 0;
@@ -38,7 +38,7 @@ export function within(tokens: readonly ScriptToken[], open: number): { close: n
   return { close: -1, semicolons };
 }
 
-/** The place of the bracket that the one at `close` closes; -1 when there is none. */
+/** Index of the bracket that opens the pair closed at `close`; -1 when there is none. */
 export function openingOf(tokens: readonly ScriptToken[], close: number): number {
   let depth = 0;
   for (let i = close; i >= 0; i--) {

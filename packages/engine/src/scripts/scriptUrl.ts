@@ -5,16 +5,16 @@ const FOLDER = 'farol-scripts/';
 /** Whether the text of a script of this name is TypeScript. */
 export const isTypeScript = (name: string): boolean => !/\.m?js$/.test(name);
 
-/** The address that stack traces name for a script: `farol-scripts/` and its name. */
+/** URL of a script in stack traces: `farol-scripts/` and its name. */
 export function scriptUrl(name: string): string {
   const file = /\.(m?js|ts)$/.test(name) ? name : `${name}.ts`;
-  // characters that would end the address within a stack trace
+  // escapes characters that would end the URL in a stack trace
   return FOLDER + encodeURIComponent(file).replaceAll('(', '%28').replaceAll(')', '%29').replaceAll('%2F', '/');
 }
 
 /**
- * The innermost place in a script that an error came from; null where none of its stack is in a script.
- * @param names - of the scripts that there are
+ * Innermost script position in an error's stack; null when no frame is in a script.
+ * @param names - names of all scripts
  */
 export function placeOfError(error: unknown, names: Iterable<string>): ScriptPlace | null {
   const stack = error instanceof Error ? (error.stack ?? '') : '';

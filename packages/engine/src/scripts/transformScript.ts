@@ -1,11 +1,11 @@
-// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+// an optional peer dependency: when it is absent, bundlers fail on named imports, but not on a namespace
 import * as sucrase from 'sucrase';
 import type { CompiledScript } from './CompiledScript';
 import { guardLoops } from './guardLoops';
 import { ScriptError } from './ScriptError';
 import { isTypeScript, scriptUrl } from './scriptUrl';
 
-/** Makes JavaScript of a script's text: the code that `compileScript` loads when first needed. */
+/** Compiles a script's text to JavaScript: the late code of `compileScript`. */
 export function transformScript(name: string, source: string): CompiledScript | ScriptError {
   try {
     const { code } = sucrase.transform(source, {

@@ -23,8 +23,8 @@ export const sceneFields = { ...pictureFields, ...physicsFields, ...bakeFields }
 export interface SceneSettings extends ValuesOf<typeof sceneFields> {}
 
 /**
- * Settings of a whole scene: background, light, picture and gravity. Writes background, environment and fog
- * to its three scene; by the rest a `PictureRenderer` draws.
+ * Settings of a whole scene: background, light, picture and gravity. Background, environment and fog are written to its
+ * three scene; a `PictureRenderer` reads the rest.
  */
 export class SceneSettings extends FieldOwner {
   static readonly fields = sceneFields;
@@ -34,7 +34,7 @@ export class SceneSettings extends FieldOwner {
   private day: DaySky | null = null;
   private count = 0;
 
-  /** @param changed - called after a setting got another value; `before` is the value until then */
+  /** @param changed - called after a setting changed; `before` is its previous value */
   constructor(
     private readonly three: ThreeScene,
     private readonly assets: AssetLibrary,
@@ -61,7 +61,7 @@ export class SceneSettings extends FieldOwner {
     return this.skySource.ready;
   }
 
-  /** @internal Shows the sky of a day in place of the one that the settings ask for, null that one; not an edit. */
+  /** @internal Shows a day's sky in place of the one in the settings; null restores that. Not an edit. */
   showDay(day: DaySky | null): void {
     this.day = day;
     this.apply();
@@ -77,7 +77,7 @@ export class SceneSettings extends FieldOwner {
     this.changed(name, before);
   }
 
-  /** Lets go of the environment. */
+  /** Releases the environment texture. */
   dispose(): void {
     this.useTexture(null);
     this.skySource.dispose();

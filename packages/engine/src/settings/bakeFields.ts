@@ -2,7 +2,7 @@
 import { asset, boolean, choice, number } from '@farol/editing/fields';
 export const lightmapSizes = ['64', '128', '256', '512', '1024', '2048', '4096'] as const;
 
-/** Baked light of a scene, and how it is baked. */
+/** Fields for the baked light of a scene, and for the options of a bake. */
 export const bakeFields = {
   bakedLight: asset('bake', null, { help: 'Lightmaps and probes that light the scene.', label: 'Baked light' }),
   bakeSize: choice('1024', lightmapSizes, {

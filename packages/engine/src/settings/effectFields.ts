@@ -7,7 +7,7 @@ type FieldOf<E, Kind> = E extends { readonly fields: infer Fields }
   ? { [Name in keyof Fields]: Fields[Name] extends { readonly kind: Kind } ? Name : never }[keyof Fields]
   : never;
 
-/** Effects of the renderer as menus have them, by key. */
+/** Effects of the renderer for menus, by key. */
 export const effectEntries: Readonly<Record<string, EffectEntry>> = effects;
 
 function makeFields(): FieldTable {
@@ -22,14 +22,14 @@ function makeFields(): FieldTable {
   return table;
 }
 
-/** Settings of a scene that switch effects of the renderer on, and set them: of each effect the switch, then its numbers and colours. */
+/** Settings for effects of the renderer: for each effect a switch, then its numbers and colours. */
 export const effectFields = makeFields() as Readonly<
   Record<SwitchOf<Entry>, BooleanField> &
     Record<FieldOf<Entry, 'number'>, NumberField> &
     Record<FieldOf<Entry, 'colour'>, ColourField>
 >;
 
-/** Keys of the effects that smooth edges. */
+/** Keys of the anti-aliasing effects. */
 export const antialiasingEffects = Object.keys(effects).filter(
   (name) => effectEntries[name].group === 'antialiasing',
 ) as { [Name in EffectName]: (typeof effects)[Name] extends { group: 'antialiasing' } ? Name : never }[EffectName][];

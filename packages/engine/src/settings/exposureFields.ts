@@ -6,8 +6,8 @@ const by = (way: string): { visibleWhen: FieldCondition } => ({
 });
 
 /**
- * Fields of exposure, of the scene's settings and of a camera.
- * @param first - the way besides exposure values: the scene's factor, or the scene's exposure @param label - of that way
+ * Exposure fields, for the scene's settings and for a camera.
+ * @param first - first option of `exposureBy`: 'factor', or 'scene' for a camera @param label - label of that option
  */
 export const exposureFields = <First extends string>(first: First, label: string) => ({
   exposureBy: choice<First | 'value' | 'camera' | 'automatic'>(first, [first, 'value', 'camera', 'automatic'], {
@@ -86,7 +86,7 @@ export const exposureFields = <First extends string>(first: First, label: string
 
 type Exposure = Readonly<ValuesOf<ReturnType<typeof exposureFields>>>;
 
-/** Factor of a picture's light by an exposure value or a camera's settings; null for another way. */
+/** Factor of a picture's light by exposure value or camera settings; null for other options of `exposureBy`. */
 export function exposureOf({ exposureBy, exposureValue, aperture, shutterTime, iso }: Exposure): number | null {
   if (exposureBy === 'value') return exposureOfEV(exposureValue);
   return exposureBy === 'camera' ? exposureOfEV(evOfCamera(aperture, shutterTime, iso)) : null;

@@ -1,6 +1,6 @@
 import { type FieldCondition, number } from '@farol/editing/fields';
 
-/** Fields of depth of field, of the scene's settings and of a camera. @param shown - when they are shown */
+/** Depth-of-field fields, for the scene's settings and for a camera. @param shown - condition for showing them */
 export const focusFields = (shown: { readonly visibleWhen: FieldCondition }) => ({
   focusDistance: number(10, {
     unit: 'm',

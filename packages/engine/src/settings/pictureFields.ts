@@ -15,13 +15,13 @@ import { exposureFields } from './exposureFields';
 import { focusFields } from './focusFields';
 import { toneMappingLabels, toneMappingNames } from './toneMappings';
 
-/** Shown only while a switch is on. */
+/** Condition that shows a field only while a switch is on. */
 const on = (field: string): { visibleWhen: FieldCondition } => ({ visibleWhen: { field, equals: [true] } });
 const when = (field: string, ...equals: string[]): { visibleWhen: FieldCondition } => ({
   visibleWhen: { field, equals },
 });
 
-/** Names of the renderer's `techniques`. Of one that is not there, the renderer's default takes the place. */
+/** Names of the renderer's `techniques`. An unknown name is replaced by the renderer's default. */
 export const techniqueType: FieldType = {
   name: 'technique',
   allows: 'the name of a technique, of 1 to 100 letters',
@@ -311,7 +311,7 @@ export const renderingFields = {
   }),
 };
 
-/** All that makes the picture of a scene beside its objects. */
+/** Fields for the picture of a scene, apart from its objects. */
 export const pictureFields = {
   ...skyFields,
   ...fogFields,

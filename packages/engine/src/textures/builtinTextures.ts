@@ -2,7 +2,7 @@ import type { Texture } from 'three';
 import { makeColourTexture, makeNormalTexture } from './makeTexture';
 import { blocks, checker, cloth, grass, marble, type Pattern, plaster, sky, tiles, wood } from './patterns';
 
-/** An asset of type 'texture', made when it is first needed. */
+/** An asset of type 'texture', made on first use. */
 export interface TextureSource {
   readonly type: 'texture';
   make(): Texture;
@@ -10,7 +10,7 @@ export interface TextureSource {
 
 interface Look {
   readonly pattern: () => Pattern;
-  /** Height of the bumps as a part of the texture's width; none: no normal map. */
+  /** Height of the bumps as a fraction of the texture's width; without it there is no normal map. */
   readonly depth?: number;
 }
 
@@ -29,7 +29,7 @@ const patterns: Readonly<Record<string, Look>> = {
   'cloth-blue': { pattern: () => cloth([52, 74, 172], 6, 97), depth: 0.006 },
 };
 
-/** Sizes in texels of the generated textures; the first one has the plain name, 'stone'; the others 'stone@128'. */
+/** Sizes (texels) of generated textures: the first is named 'stone', the others 'stone@512' and 'stone@128'. */
 export const textureSizes = [256, 512, 128] as const;
 
 /** Name of a generated texture at a size. */

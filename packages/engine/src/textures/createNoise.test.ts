@@ -9,7 +9,7 @@ test.each(Object.entries(noises))('noise %s is smooth and repeats in x and y, fr
   const [cells, tiny] = [280, 1e-7];
   let [jump, repeat, least, most] = [0, 0, 1, 0];
   for (let i = 0; i < 5000; i++) {
-    // on borders of cells, and off them, in all of the plane
+    // points on cell borders and between them, in the whole plane
     const [x, y] = [random(), random()].map((each) => Math.round(each * 3 * cells) / cells - 1 + (i % 2) * random());
     const value = noise(x, y);
     for (const other of [noise(x - tiny, y), noise(x, y - tiny)]) jump = Math.max(jump, Math.abs(other - value));

@@ -20,7 +20,7 @@ export function createNoise(cells: number, seed: number): (x: number, y: number)
   };
 }
 
-/** Octaves of noise, each of half the size and `gain` the height of the one before; from 0 to below 1. */
+/** Sum of octaves of noise, each at half the scale and `gain` times the amplitude of the last; from 0 to below 1. */
 export function createFractalNoise(
   cells: number,
   octaves: number,

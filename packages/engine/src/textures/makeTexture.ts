@@ -42,7 +42,7 @@ export function makeColourTexture(pattern: Pattern, size: number): DataTexture {
 
 /**
  * A normal map of a pattern's heights in tangent space (+y along +v), `size` × `size` texels.
- * @param depth - height of the pattern's bumps as a part of the texture's width
+ * @param depth - height of the pattern's bumps as a fraction of the texture's width
  */
 export function makeNormalTexture(pattern: Pattern, size: number, depth: number): DataTexture {
   const heights = new Float32Array(size * size);

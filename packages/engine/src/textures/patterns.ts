@@ -39,7 +39,7 @@ export function marble(rgb: Rgb, seed: number): Pattern {
   };
 }
 
-/** Blocks in courses, every other one shifted by half a block, with joints; `columns` and `rows` over the texture. */
+/** Courses of blocks, every other one shifted by half a block, with joints; `columns` and `rows` fill the texture. */
 export function blocks(rgb: Rgb, columns: number, rows: number, seed: number, joint = 0.03): Pattern {
   const grain = createFractalNoise(10, 4, seed);
   const random = createRandom(seed + 1);
@@ -117,7 +117,7 @@ export function plaster(rgb: Rgb, seed: number): Pattern {
   };
 }
 
-/** An evening sky to be used as an environment: u runs round the horizon, v from below (0) to above (1). */
+/** An evening sky for an environment map: u is the azimuth, v goes from the nadir (0) to the zenith (1). */
 export function sky(): Pattern {
   const clouds = createFractalNoise(5, 5, 29);
   return (u, v, out) => {

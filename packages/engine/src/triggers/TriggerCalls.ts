@@ -11,12 +11,12 @@ interface Caller {
 
 interface DelayedCall {
   readonly trigger: Caller;
-  /** The scene's time (s). */
+  /** Scene time (s) of the call. */
   readonly due: number;
   readonly event: unknown;
 }
 
-/** The calls of a scene's EventTriggers that wait, and what they switched on and off, which a reset takes back. */
+/** Pending calls of a scene's EventTriggers, and their switching of objects, which a reset undoes. */
 export class TriggerCalls implements SceneSystem {
   readonly order = 50;
 
@@ -24,7 +24,7 @@ export class TriggerCalls implements SceneSystem {
   private readonly wasActive = new Map<GameObject, boolean>();
   private readonly wasEnabled = new Map<Component, boolean>();
 
-  /** Schedules a trigger's call for scene time `due` (s), whatever becomes of its object until then. */
+  /** Schedules a trigger's call for scene time `due` (s), even if its object is switched off meanwhile. */
   delay(trigger: Caller, due: number, event: unknown): void {
     this.calls.push({ trigger, due, event });
   }

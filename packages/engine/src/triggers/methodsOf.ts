@@ -7,7 +7,7 @@ import type { GameObject } from '../core/GameObject';
 export const objectMethods = ['activate', 'deactivate', 'toggle'] as const;
 export const componentMethods = ['enable', 'disable', 'toggle'] as const;
 
-/** Kinds of fields that a type of value fits. */
+/** Kinds of fields that accept each type of value. */
 const kindsOf: Readonly<Record<string, readonly FieldKind[]>> = {
   number: ['number', 'angle'],
   flag: ['boolean'],
@@ -21,7 +21,7 @@ const kindsOf: Readonly<Record<string, readonly FieldKind[]>> = {
 const calledByEngine =
   /^(start|update|lateUpdate|listensTo|dispose|constructor|onDestroy|on(Pointer|Key|Collision|Trigger)\w*|_.*)$/;
 
-/** The methods of a component's class that may be called from outside. */
+/** Methods of a component's class that may be called from outside. */
 function ownMethods({ componentClass }: Component): readonly string[] {
   if (componentClass.callable) return componentClass.callable;
   if (builtinComponents.types.get(componentClass.typeName) === componentClass) return [];
@@ -40,8 +40,8 @@ function ownMethods({ componentClass }: Component): readonly string[] {
 }
 
 /**
- * Methods that an EventTrigger can call on an object: 'GameObject.activate', 'Light.toggle', 'AudioSource.play', those
- * of its scripts, and the fields that a value of the type can be given to, 'Light.intensity'.
+ * Methods that an EventTrigger can call on an object: 'GameObject.activate', 'Light.toggle', 'AudioSource.play',
+ * methods of its scripts, and fields that can be set to a value of the type, such as 'Light.intensity'.
  * @param valueType - see `EventTrigger.valueType`
  */
 export function methodsOf(object: GameObject, valueType: string): string[] {

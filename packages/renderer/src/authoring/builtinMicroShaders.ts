@@ -5,10 +5,10 @@ import { parseMicroShader } from '../microshaders/parseMicroShader';
 
 const sources = { ...coreSources, ...lists };
 
-/** Names of the microshaders that techniques are made of. */
+/** Names of the built-in microshaders of techniques. */
 export type BuiltinMicroShader = keyof typeof sources;
 
-/** The microshaders of opaque things, lights and light lists, whether their code is fetched or not. */
+/** The built-in microshaders of opaque objects, lights and light lists, including those of late code. */
 export const builtinMicroShaders: readonly MicroShader[] = Object.entries(sources).map(([name, text]) =>
   parseMicroShader(name, text),
 );

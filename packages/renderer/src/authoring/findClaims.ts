@@ -11,9 +11,9 @@ export interface Claim {
 }
 
 /**
- * The claims of a microshader's text: `//? expression == expression`, with statements before it if need be
- * (`//? float a = f(1.0); a * a == 2.0`). Floats are to agree to within rounding, integers and truths exactly.
- * @throws Error for a line with the mark but no comparison
+ * Finds the claims in a microshader's text: `//? expression == expression`, optionally with statements before
+ * (`//? float a = f(1.0); a * a == 2.0`). Floats must agree up to rounding, integers and booleans exactly.
+ * @throws Error for a `//?` without a comparison
  */
 export function findClaims(text: string): Claim[] {
   return text.split(/\r\n?|\n/).flatMap((raw, i) => {

@@ -3,10 +3,10 @@ import type { MicroShader } from '../microshaders';
 const quoted = (value: string): string =>
   `"${value.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;')}"`;
 
-/** A CDATA section cannot hold its own end. */
+/** Text as CDATA, split where it contains the end of a section. */
 const cdata = (text: string): string => `<![CDATA[${text.replaceAll(']]>', ']]]]><![CDATA[>')}]]>`;
 
-/** Microshaders as the thesis's file of XML, which `parseMicroShaderXML` reads as the same chunks. @see thesis 3.2.6 */
+/** Formats microshaders as an XML file of the thesis, which `parseMicroShaderXML` reads back. @see thesis 3.2.6 */
 export function formatMicroShaderXML(chunks: readonly MicroShader[]): string {
   const elements = chunks.map(({ name, stage, dependencies, header, main }) => {
     const attributes = [

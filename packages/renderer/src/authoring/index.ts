@@ -1,4 +1,4 @@
-// What techniques, effects and microshaders are made of: docs/authoring.md shows how.
+// Building blocks of techniques, effects and microshaders, see docs/authoring.md.
 
 // passes
 export type { Pass } from '../frame/Pass';

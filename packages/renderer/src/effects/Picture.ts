@@ -29,14 +29,13 @@ import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from '../frame/displayTransfer.glsl?raw';
 import { isDrawnAsCanvas, setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
-/** Picture of each renderer, by the renderer's twin cache. */
+/** Picture of each renderer, keyed by the renderer's twin cache. */
 const pictures = new WeakMap<Frame['twins'], Picture>();
 
 /**
- * The picture of a frame in a target of Farol's own, with depth as a texture, for effects that need the whole picture.
- * `begin` redirects all draws there, with the output of the host's target (tone mapped and encoded if that is the
- * canvas). When each effect that called `begin` has called `end`, the picture is written to the host's target with its
- * depth.
+ * The picture of a frame in a target of Farol's own, with depth as a texture, for effects that need the whole picture. `begin`
+ * redirects all draws to it, with the host's target's output (for the canvas, tone mapped and encoded). When each effect that
+ * called `begin` has called `end`, the picture is written to the host's target with its depth.
  */
 export class Picture {
   /** Target that the frame draws to, from `begin` on. */
@@ -69,7 +68,7 @@ export class Picture {
     depthWrite: true,
   });
 
-  /** The picture of a renderer's frames: one, shared by its effects. */
+  /** The one picture of a renderer, shared by its effects. */
   static of(frame: Frame): Picture {
     let picture = pictures.get(frame.twins);
     if (picture === undefined) pictures.set(frame.twins, (picture = new Picture()));
@@ -88,7 +87,7 @@ export class Picture {
       this.users++;
       return;
     }
-    this.users = 1; // counts from 1 anew: an exception in the last frame may have left another number of users
+    this.users = 1; // set, not incremented: an exception in the last frame may have left another number of users
     const { webgl } = frame;
     this.hostTarget = frame.target;
     this.hostFace = frame.face;
@@ -103,14 +102,14 @@ export class Picture {
     frame.face = frame.level = 0;
     frame.viewport.set(0, 0, frame.width, frame.height);
     frame.bindTarget();
-    // three clears with the background, also where it is a colour
+    // three clears for a background that is a colour, even without `autoClear`
     this.clears = webgl.autoClear || (frame.scene.background as Color | null)?.isColor === true;
     if (!this.clears) frame.clear(1, true);
   }
 
   /**
-   * Whether the rest of a frame can be drawn over the host's target: a single effect uses the picture, and pixels
-   * have equal coordinates in the picture and in the target.
+   * Whether the rest of a frame can be drawn directly to the host's target: a single effect uses the picture, and pixels have
+   * equal coordinates in both.
    */
   get isAlone(): boolean {
     return this.users === 1 && this.hostViewport.x === 0 && this.hostViewport.y === 0;
@@ -123,7 +122,7 @@ export class Picture {
 
   /**
    * Ends the use of the picture by an effect; the last effect to end writes the picture to the host's target.
-   * @param goesOn - whether more of the frame is drawn afterwards over the host's target
+   * @param goesOn - whether more of the frame is drawn to the host's target afterwards
    */
   end(frame: Frame, goesOn = false): void {
     if (--this.users > 0) return;
@@ -138,7 +137,7 @@ export class Picture {
     uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     uniforms.farol_encode.value = this.toDisplay && !this.encoded;
     const material = this.present.material(frame);
-    // blended over the host's earlier content, or replacing it
+    // replaces the host's earlier content, or is blended over it
     material.blending = this.clears ? NoBlending : CustomBlending;
     material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();
@@ -165,7 +164,7 @@ export class Picture {
     this.present.dispose();
   }
 
-  /** Target for the canvas, or for render targets, to which three draws linear light without tone mapping. */
+  /** Target in the format of the canvas, or of render targets, to which three draws linear light without tone mapping. */
   private targetFor(frame: Frame): WebGLRenderTarget {
     const { webgl, target: host } = frame;
     const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;

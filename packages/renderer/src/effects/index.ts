@@ -18,7 +18,7 @@ export interface EffectField {
   readonly step: number;
 }
 
-/** Makes an effect with its defaults. */
+/** Class of an effect; without arguments it has the defaults. */
 type EffectClass = new () => FarolEffect;
 
 /** A colour of an effect, for menus and scene files; the effect's property is a `Color` of three's. */
@@ -34,13 +34,13 @@ export interface EffectColour {
   readonly default: [number, number, number];
 }
 
-/** An effect as menus and scene files list it; `load` fetches its code. */
+/** Entry of an effect for menus and scene files; `load` fetches its code. */
 export interface EffectEntry {
   /** Name in menus. */
   readonly label: string;
   /** One line of help. Default: the label says all. */
   readonly help?: string;
-  /** At most one of the entries of a group is used at a time. Default: it stands alone. */
+  /** Group of entries of which at most one is used at a time. Default: no group. */
   readonly group?: 'antialiasing';
   /** Name of the effect's switch in the settings of a scene. Default: no switch. */
   readonly setting?: string;
@@ -52,7 +52,7 @@ export interface EffectEntry {
    * Buffer that the technique must fill before it shades; a technique that cannot leaves the effect out. Default: none.
    */
   readonly needs?: 'depth' | 'gbuffer';
-  /** Frames of a still scene after which its picture changes no more. Default 1. */
+  /** Number of frames after which the picture of a still scene no longer changes. Default 1. */
   readonly stillFrames?: number;
   /** Fetches the class of the effect. @throws Error (as a rejection) when it cannot be fetched; try again */
   load(): Promise<EffectClass>;
@@ -65,8 +65,8 @@ const volumetricFog = () => import('./volumetric-fog');
 const antialiasing = () => import('./antialiasing');
 
 /**
- * The effects that a menu offers, by key, in the order in which they are to stand in `FarolRenderer.effects`. A new one is a file
- * and an entry here. `Particles` is not among them: whoever has emitters has it too.
+ * The effects that a menu offers, by key, in their order in `FarolRenderer.effects`. A new effect is a file and an entry here.
+ * `Particles` is not listed: scenes with emitters always have it.
  */
 export const effects = {
   decals: {

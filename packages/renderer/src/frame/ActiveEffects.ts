@@ -4,7 +4,7 @@ import type { TwinAdapter } from './TwinAdapter';
 
 const NOTHING: readonly never[] = [];
 
-/** Effects of a frame, with their requests as lists; made anew when the host's list changes. */
+/** Effects of a frame, with their requests as lists; a new object when the host's list changes. */
 export interface ActiveEffects {
   readonly all: readonly FarolEffect[];
   /** Effects that adapt twins. */
@@ -22,7 +22,7 @@ export const NO_EFFECTS: ActiveEffects = {
   needsSurfaces: false,
 };
 
-/** @param room - attachments that the device can draw to besides those of the G-buffer */
+/** @param room - number of attachments that the device can draw to besides those of the G-buffer */
 export function activeEffects(all: readonly FarolEffect[], room: number): ActiveEffects {
   return {
     all,
@@ -32,7 +32,7 @@ export function activeEffects(all: readonly FarolEffect[], room: number): Active
   };
 }
 
-/** Texts of the effect's claims, as the end of "both …". */
+/** Texts of the effect's claims, to follow "both" in a message. */
 function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffect): string[] {
   return [
     ...(replaces === undefined ? [] : [`draw "${replaces}" in place of the technique`]),
@@ -41,7 +41,7 @@ function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffe
   ];
 }
 
-/** @throws Error that names two effects that cannot draw one frame together, or says what a list of effects is */
+/** @throws Error that names two effects that cannot draw one frame together, or for a value that is no list of effects */
 export function refuseConflicts(effects: readonly FarolEffect[]): void {
   // JavaScript hosts may set a single effect, a class or a name
   if (!Array.isArray(effects) || !effects.every((effect: Partial<FarolEffect> | null) => effect?.dispose))

@@ -4,7 +4,7 @@ import type { Camera, Light, Texture } from 'three';
 export interface AtlasTile {
   readonly light: Light | null;
   readonly kind: 'face' | 'cascade' | 'map' | 'image' | 'profile';
-  /** Index of the face or cascade, from 0, and their number. */
+  /** Index of the face or cascade, from 0; `count`: their number. */
   readonly index: number;
   readonly count: number;
   /** Rectangle (texels). */
@@ -13,13 +13,13 @@ export interface AtlasTile {
   readonly camera: Camera | null;
 }
 
-/** Contents of an atlas in a frame. */
+/** An atlas of a frame, and its regions in use. */
 export interface AtlasTiles {
-  /** Null while nothing is drawn. */
+  /** Texture of the atlas; null while nothing is drawn. */
   readonly texture: Texture | null;
-  /** Contents: depths for a comparing sampler; moments of depths; colours. */
+  /** Values in the texture: depths for a shadow sampler; moments of depths; colours. */
   readonly holds: 'depths' | 'moments' | 'colours';
-  /** Texels a side. */
+  /** Side of the atlas (texels). */
   readonly size: number;
   readonly tiles: readonly AtlasTile[];
 }

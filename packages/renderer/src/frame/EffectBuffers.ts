@@ -3,23 +3,23 @@ import type { Frame } from './Frame';
 
 /** Ambient occlusion of a frame. */
 export interface OcclusionBuffer {
-  /** Share of the sky that is open over each pixel, in red (0 to 1), filtered; drawn when it is not there yet. */
+  /** Open share of the sky over each pixel, in red (0 to 1), filtered; drawn by this call if not yet drawn. */
   openSky(frame: Frame): Texture;
 }
 
-/** Motion of a frame's pixels since the last. */
+/** Motion of pixels since the last frame. */
 export interface MotionBuffer {
-  /** Uniforms of taaDepth.glsl, whose `farol_wayOf` tells motion, and `farol_hasPast`: false in the first frame. */
+  /** Uniforms of taaDepth.glsl, whose `farol_wayOf` returns motion, and `farol_hasPast`: false in the first frame. */
   readonly uniforms: Record<string, IUniform>;
-  /** Pixels whose past is not used, in red (0 to 1); null where there are none. */
+  /** Mask of pixels whose history is not used, in red (0 to 1); null where there are none. */
   readonly reactive: Texture | null;
 }
 
-/** Froxels of a frame. */
+/** Fog froxels of a frame. */
 export interface FroxelBuffer {
-  /** By froxel: light scattered to the eye a metre (linear radiance), and extinction (1/m). */
+  /** For each froxel, light scattered to the eye per metre (linear radiance), and extinction (1/m). */
   readonly scattered: Data3DTexture | null;
-  /** Froxels across, up and away. */
+  /** Number of froxels across, up and in depth. */
   readonly froxels: readonly [number, number, number];
   /** Depth (m) of a slice's edge, 0 (the eye) to the number of slices. */
   depthOf(edge: number): number;

@@ -7,20 +7,20 @@ import type { Technique } from './Technique';
 import type { TwinKind } from '../materials/TwinKind';
 
 /**
- * An optional part of a frame, with any technique: `farol.effects = [new TAA()]`. The core has only this interface; the
- * effects are package entries of their own, such as `@farol/renderer/antialiasing`. Effects run in their order, in the
- * view 'final' only. One object serves one FarolRenderer.
+ * An optional part of a frame, with any technique: `farol.effects = [new TAA()]`. The core has only this interface; effects have
+ * their own package entries, such as `@farol/renderer/antialiasing`. Effects run in the order of the list, only in the view
+ * 'final'. An effect object belongs to one FarolRenderer.
  */
 export interface FarolEffect {
   /** Name in `FarolInfo.passes`. */
   readonly name: string;
-  /** `render` is called after each pass of the frame that writes one of these. */
+  /** Resources; `render` is called after each pass of the frame that writes one of them. */
   readonly after?: readonly Resource[];
-  /** `render` is called in place of each pass that writes this resource. At most one effect may replace a resource. */
+  /** Resource; `render` is called in place of each pass that writes it. At most one effect may replace a resource. */
   readonly replaces?: Resource;
   /**
-   * Additional attachments of the G-buffer, if the device has room; `Frame.locationOf` gives their locations. At most
-   * one effect may ask for a name. Keep the objects: new ones make G-buffers anew. Default none.
+   * Additional attachments of the G-buffer, if the device has room; `Frame.locationOf` gives their locations. Names must be
+   * unique among effects. Keep the objects: new ones cause new G-buffers. Default none.
    */
   readonly attachments?: readonly GBufferAttachment[];
   /** True if `begin` sets `frame.camera`; at most one effect may, and none in XR sessions. Default false. */
@@ -32,16 +32,22 @@ export interface FarolEffect {
    * buffers'; null for others. The effect is left out there, with one warning. Default null.
    */
   lacks?(webgl: WebGLRenderer): string | null;
-  /** True if `begin` has the frame drawn to a target of the effect: targets with several textures then go without. Default false. */
+  /**
+   * True if `begin` redirects the frame to a target of the effect: the effect is then left out for targets with several
+   * textures. Default false.
+   */
   readonly takesPicture?: boolean;
   /** True if the effect smooths edges: `FarolOptions.antialias` adds nothing then. Default false. */
   readonly smoothsEdges?: boolean;
-  /** Frames of a still scene after which its picture changes no more, where that depends on the device. Default: its entry's. */
+  /**
+   * Number of frames after which a still scene's picture no longer changes, if it depends on the device. Default: the effect
+   * entry's.
+   */
   readonly stillFrames?: number;
   /** Bytes of the effect's targets. */
   readonly bytes: number;
   /**
-   * Called before anything is drawn and before three's traversal; may set `frame.camera` (a view of the host's, such as a
+   * Called before anything is drawn and before three's traversal; may set `frame.camera` (a stand-in for the host's, such as a
    * jittered one) and `frame.target` with its viewport.
    */
   begin?(frame: Frame): void;
@@ -56,8 +62,8 @@ export interface FarolEffect {
    */
   compute?(frame: Frame): void;
   /**
-   * Returns the kind of twin to draw an item with: `kind`, or another by `kind.role`. Called for each draw; each effect
-   * gets the result of the effect before. Must not allocate in steady state.
+   * Returns the kind of twin to draw an item with: `kind`, or another one, by `kind.role`. Called for each draw; each effect
+   * receives the result of the previous effect. Must not allocate in steady state.
    */
   adapt?(kind: TwinKind, item: RenderItem): TwinKind;
   /**
@@ -68,11 +74,11 @@ export interface FarolEffect {
   /** Called inside three's `render` after all passes; measured for `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;
   /**
-   * Compiles the programs for a technique that 'auto' is about to change to, one a call, by draws as in a frame that
-   * draw nothing.
+   * Compiles the programs for a technique that 'auto' is about to change to, one in each call, with a frame whose draws draw
+   * nothing.
    */
   warmUp?(frame: Frame): void;
-  /** Forgets data gathered over earlier frames. */
+  /** Forgets data of earlier frames. */
   reset?(): void;
   /** Frees the GPU resources; a later frame makes them anew. */
   dispose(): void;

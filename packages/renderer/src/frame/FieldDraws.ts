@@ -6,27 +6,27 @@ import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
 
 /**
- * Lights of fields as passes use them; light-fields/LightFields.ts, whose code is fetched on demand, has the class. Methods take
- * the frame that the pass was given: a warm-up has one of its own.
+ * Lights of light fields, as passes use them; implemented by light-fields/LightFields.ts, which is late code. Methods take the
+ * pass's frame, since a warm-up has its own.
  */
 export interface FieldDraws {
-  /** The light table that shaders read, once `render` has drawn it. */
+  /** The light table that shaders read; valid after `render`. */
   readonly texture: Texture;
   /** Number of lights in all light fields of the frame. */
   readonly count: number;
-  /** Mean number of field lights over a pixel, whatever their depth; an estimate. */
+  /** Estimated mean number of field lights over a pixel, at any depth. */
   readonly coverage: number;
   readonly bytes: number;
   /** Whether the fields' lights have been drawn in this frame. */
   readonly isDrawn: boolean;
-  /** Draws the light table. Call inside three's `render` before anything lit is drawn; restores the bound target. */
+  /** Draws the light table. Call inside three's `render` before any lit draw; restores the bound target. */
   render(): void;
-  /** Makes the lists of the fields' lights that reach each tile of the screen. */
+  /** Draws the lists of all lights that reach each tile of the screen. */
   makeTiles(frame: Frame, use: TileDepthUse): void;
-  /** Makes lists of the lights of fields alone that reach each tile, whatever their depth. */
+  /** Draws lists of only the fields' lights that reach each tile, at any depth. */
   makeFieldTiles(frame: Frame): void;
-  /** Makes the lists of the fields' lights that reach each cluster. */
+  /** Draws the lists of all lights that reach each cluster. */
   makeClusters(frame: Frame): LightLists;
-  /** Twins that light items by fields too, in place of the loop's own twins; undefined where those do. */
+  /** Twins that replace a light loop's own and also read fields; undefined if the loop's own twins read fields. */
   twinsFor(loop: LightLoop): ((view: string) => ForwardTwins) | undefined;
 }

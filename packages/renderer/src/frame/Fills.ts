@@ -1,6 +1,6 @@
 /**
- * Pixels that a technique writes, so that three need not clear the target (a clear costs as much as a draw over all
- * pixels): 'every-pixel' writes colour and depth of every pixel; 'behind' writes the background's colour behind the
- * opaque items, so that only depth must be cleared.
+ * Pixels that a technique writes itself, so that three need not clear them (a clear costs as much as drawing all pixels):
+ * 'every-pixel': colour and depth of every pixel; 'behind': the background's colour behind the opaque items, so that only depth
+ * must be cleared.
  */
 export type Fills = 'every-pixel' | 'behind';

@@ -64,53 +64,56 @@ export interface LateDraws {
   makeNodes(): NodeDraws | null;
 }
 
-/** Shadow maps as passes and views use them; ShadowMaps alone is one. */
+/** Shadow maps, as passes and views use them; implemented by ShadowMaps. */
 export interface TileShadows {
   /**
-   * Finds which lights light all, or none, of tiles of the screen.
-   * @param gbuffer - of the frame, whose light grid is there too
+   * Finds the lights that light all, or none, of each screen tile. Call once the light grid is written.
+   * @param gbuffer - G-buffer of the frame
    */
   findTileShadows(frame: Frame, gbuffer: GBuffer): void;
-  /** Lists what lies in the atlas of images and profiles, or in that of shadow maps. */
+  /** Lists the regions in use of the atlas of images and profiles, or of the atlas of shadow maps. */
   listTiles(images: boolean): AtlasTiles;
 }
 
-/** A frame as passes and effects see it: scene, target, queue, lights, resources, and how to draw. One a FarolRenderer. */
+/**
+ * A frame as passes and effects see it: scene, target, queue, lights, resources, and methods to draw. One object for each
+ * FarolRenderer.
+ */
 export class Frame extends FrameTarget {
   readonly queue = new RenderQueue();
-  /** Resources that the passes of this frame have handed over so far. */
+  /** Resources that the passes of this frame have written so far. */
   readonly resources = new ResourceTable();
 
   // ---- Set by `begin` ----
 
   scene!: Scene;
-  /** The host's camera, or that of the effect that moves it (`FarolEffect.movesCamera`), which sets it in `begin`. */
+  /** The host's camera, or a stand-in set in `begin` by an effect with `FarolEffect.movesCamera`. */
   camera!: Camera;
   /** The host's camera, or the ArrayCamera that contains it: its layers select the lights and the shadow casters. */
   seenBy!: Camera;
-  /** Null outside of XR sessions. */
+  /** XR session, or other session of several pictures; null for none. */
   session: Session | null = null;
   view: View = 'final';
-  /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
+  /** Whether all passes support the camera's projection: see `isPlainProjection`. */
   hasPlainProjection = true;
   /** Whether the depth buffer is too coarse to rebuild positions from. */
   private isDepthCoarse = false;
 
-  /** Whether the air scatters light, so that shadow maps are looked up away from surfaces; set in `begin` by an effect. */
+  /** Whether fog scatters light, so that shadow maps are sampled away from surfaces; set in `begin` by an effect. */
   hasMedia = false;
 
   // ---- Set by `FrameLights.update` ----
 
-  /** The lights of fields; null while there are none in the frame. */
+  /** The lights of light fields; null if the frame has none. */
   fields: FieldDraws | null = null;
   /** Visibility of shadows by screen tile; null while no light casts a shadow. */
   tileShadows: TileShadows | null = null;
-  /** Shadow maps that are drawn anew in this frame. */
+  /** Number of shadow maps drawn in this frame. */
   shadowMapsDrawn = 0;
 
-  // ---- Set by `SceneDraws`, from the effects of the frame and from what three leaves uncleared ----
+  // ---- Set by `SceneDraws`, from the effects of the frame and the pixels that three leaves uncleared ----
 
-  /** Replace the twin kind of a draw, in order: each adapter gets the kind that the one before returned. */
+  /** Adapters that replace the twin kind of a draw, in order: each receives the kind that the previous one returned. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
@@ -121,20 +124,20 @@ export class Frame extends FrameTarget {
 
   // ---- Set while the frame is drawn ----
 
-  /** Gets what has no past; set in `begin` by the effect that looks for the past. */
+  /** Receives draws whose pixels have no usable history; set in `begin` by TAA. */
   reactive: ReactiveMask<Frame> | null = null;
-  /** Bytes that passes have sent in this frame; each adds its own. */
+  /** Bytes that passes have uploaded in this frame; each adds its own. */
   uploadedBytes = 0;
   /** Bytes of a pixel of the frame's G-buffer, depth left out; 0 for none. */
   gbufferPixel = 0;
-  /** Something of a node material was to be drawn, whose code is not there; set by `drawNodes`. */
+  /** Whether an item of a node material was not drawn, since its code is not loaded; set by `drawNodes`. */
   lacksNodes = false;
 
-  /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. Set by FarolRenderer. */
+  /** Side of the lighting buffers of 'inferred', as a share of the picture's: above 0, at most 1. Set by FarolRenderer. */
   inferredScale = 1;
-  /** Quality asked for. Set by FarolRenderer. */
+  /** Option `quality`. Set by FarolRenderer. */
   quality: Quality = 'auto';
-  /** Whether the device is weak; null until a frame asks, since a lost context does not tell. */
+  /** Whether the device is weak; null until the first frame that reads it, since a lost context gives no answer. */
   private isWeak: boolean | null = null;
   private nodes: NodeDraws | null = null;
   /** Draws one object with one material, inside three's `render`. */
@@ -155,7 +158,7 @@ export class Frame extends FrameTarget {
   }
 
   override bindTarget(): void {
-    // nothing has been bound since three bound it
+    // the target is still bound by three
     if (this.readsFew && this.webgl.getRenderTarget() === this.target) return;
     super.bindTarget();
     this.uniforms.farol_targetOrigin.value.set(0, 0);
@@ -177,7 +180,7 @@ export class Frame extends FrameTarget {
     return this.quality === 'lite' || (this.quality === 'auto' && (this.isWeak ??= isWeakDevice(this.webgl)));
   }
 
-  /** Whether surfaces store their distance, since depth is too coarse or shifted to rebuild positions from. */
+  /** Whether surfaces store their distance, since depth is too coarse or shifted to compute positions from. */
   get storesDistance(): boolean {
     return this.isDepthCoarse || this.queue.farthest === -Infinity;
   }
@@ -212,8 +215,8 @@ export class Frame extends FrameTarget {
   }
 
   /**
-   * Whether later draws over a multisampled target need depth in each sample, for items that were drawn elsewhere.
-   * False if the target has other depth already.
+   * Whether later draws to a multisampled target need depth in each sample, for items that were drawn to other targets. False if
+   * the target already has other depth.
    */
   get wantsSampleDepths(): boolean {
     const { webgl, queue, scene, view } = this;
@@ -224,7 +227,7 @@ export class Frame extends FrameTarget {
     return queue.transparent.length + queue.transmissive.length > 0 || queue.opaque.some(isLeft);
   }
 
-  /** Draws the depth of items that were drawn elsewhere into the samples of the target. */
+  /** Draws the depth of items that were drawn to other targets into the samples of the target. */
   drawSampleDepths(): void {
     for (const item of this.queue.opaque) {
       if (item.drawn && item.route === 'split' && hasDepthTwin(item.material)) this.drawTwin(item, depthTwin);
@@ -245,12 +248,12 @@ export class Frame extends FrameTarget {
     this.drawItem(item, this.twins.get(item.material, this.adapted(kind, item)));
   }
 
-  /** Forward twins of materials with Gouraud shading; null until their code is there. */
+  /** Forward twins of materials with Gouraud shading; null until their code is loaded. */
   gouraudTwins(): ForwardTwins | null {
     return this.late.gouraudTwins(this.view);
   }
 
-  /** Draws an item forward: lit ones by a twin, the others as they are. */
+  /** Draws an item forward: lit ones by a twin, others with their own material. */
   drawForward(item: RenderItem, twins: ForwardTwins): void {
     const { material, shading } = item;
     const lit = shading === 'lit';
@@ -264,7 +267,7 @@ export class Frame extends FrameTarget {
     else this.drawItem(item, material);
   }
 
-  /** Draws an item of a node material by three itself, unless it is drawn already. */
+  /** Has three draw an item of a node material, unless it is drawn already. */
   drawNodes(item: RenderItem): void {
     if (item.drawn) return;
     this.nodes ??= this.late.makeNodes();
@@ -272,7 +275,7 @@ export class Frame extends FrameTarget {
     else this.nodes.draw(this, item);
   }
 
-  /** Compiles the program of one of Farol's own meshes now, not in a later frame, by a draw of nothing. */
+  /** Compiles the program of one of Farol's own meshes ahead, by an empty draw. */
   compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     const { drawRange } = mesh.geometry;
     const { count } = drawRange;
@@ -280,12 +283,12 @@ export class Frame extends FrameTarget {
     try {
       this.drawMesh(mesh, material);
     } finally {
-      // meshes that other renderers draw share this geometry
+      // meshes of other renderers share this geometry
       drawRange.count = count;
     }
   }
 
-  /** Draws one of Farol's own meshes; to the first texture of a host's target with several. */
+  /** Draws one of Farol's own meshes; of a host's target with several textures, only to the first. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     const several = this.drawsToSeveral;
     if (several) this.setDrawBuffers(1);
@@ -306,7 +309,7 @@ export class Frame extends FrameTarget {
     object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
     (source.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
-    // three's own shaders of lit materials write the first texture alone
+    // three's own shaders of lit materials write only the first texture
     const first = item.shading === 'lit' && this.drawsToSeveral && !hasOwnShader(source);
     if (first) this.setDrawBuffers(1);
     try {

@@ -18,12 +18,12 @@ const drawBuffers: number[][] = [];
 const clearColor = new Float32Array(4);
 const farDepth = new Float32Array([1]);
 
-/** The target that the host has a frame drawn to, and how targets are bound, cleared and copied. */
+/** The target of a host's frame, and methods to bind, clear and copy targets. */
 export class FrameTarget {
   readonly gl: WebGL2RenderingContext;
 
   // ---- The host's target: set by `beginTarget`; an effect that takes the picture (`FarolEffect.takesPicture`) sets `target`,
-  // `face` and `level` in `begin` or `picked`, and gives them back in `end` ----
+  // `face` and `level` in `begin` or `picked`, and restores them in `end` ----
 
   /** The host's render target, null for the canvas. */
   target: WebGLRenderTarget | null = null;
@@ -37,13 +37,13 @@ export class FrameTarget {
   width = 1;
   /** Height of the viewport (pixels), 1 at least. */
   height = 1;
-  /** Samples a pixel of the host's target, whatever an effect has the frame drawn to. */
+  /** Samples a pixel of the host's target, also while an effect redirects the frame. */
   hostSamples = 0;
-  /** Whether the viewport is all of the target that is used, whatever its size: a frame budget's. */
+  /** Whether nothing of the target outside of the viewport is used, as with a frame budget's target. */
   ownsPart = false;
   /**
-   * Finished picture with more texels than the frame has pixels (linear light), left by an effect in its `end` for a frame that
-   * is enlarged afterwards; null for none.
+   * Finished picture with more texels than the frame has pixels (linear light), set by an effect's `end` if the frame is
+   * enlarged afterwards; else null.
    */
   finer: WebGLRenderTarget | null = null;
   /** Whether the host's target has several textures; then no effect replaces the target. */
@@ -79,7 +79,7 @@ export class FrameTarget {
     this.resize();
   }
 
-  /** Takes the buffer that three draws to in place of the canvas when it was made with an `outputBufferType`. */
+  /** Sets `target` to three's output buffer, if the WebGLRenderer was created with an `outputBufferType`. */
   takeOutputBuffer(): void {
     const { webgl } = this;
     if (this.target !== null) return;
@@ -89,14 +89,17 @@ export class FrameTarget {
     this.resize();
   }
 
-  /** Sets width and height to those of the viewport, whose fractions WebGL cuts off. */
+  /** Sets width and height from the viewport, rounded down as WebGL does. */
   resize(): void {
     const { z, w } = this.viewport.roundToZero();
     this.width = Math.max(1, z);
     this.height = Math.max(1, w);
   }
 
-  /** True if a pass that writes every pixel of the viewport leaves nothing of the target out; it needs depth to lie behind. */
+  /**
+   * True if a pass that writes every pixel of the viewport covers the whole target, which must have depth, one sample and no
+   * stencil.
+   */
   ownsTarget(): boolean {
     const { webgl, target, viewport } = this;
     if (this.level !== 0 || this.samples > 0 || isDepthReversed(webgl) || webgl.xr.isPresenting) return false;
@@ -151,13 +154,13 @@ export class FrameTarget {
     this.resize();
   }
 
-  /** Brings the samples of a multisampled target into its textures, depth by one of them. */
+  /** Resolves a multisampled target into its textures; depth takes one of the samples. */
   resolve(target: WebGLRenderTarget): void {
     const { gl, webgl } = this;
     this.copy(multisampledFramebufferHandle(webgl, target)!, target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  /** Brings what was drawn to three's transmission target, which is bound, into its texture and mipmaps once more. */
+  /** Resolves three's transmission target, which is bound, into its texture and mipmaps again. */
   resolveTransmission(): void {
     const { gl, webgl } = this;
     const target = webgl.getRenderTarget() as WebGLRenderTarget;
@@ -168,8 +171,8 @@ export class FrameTarget {
   }
 
   /**
-   * Copies depth to all of a target, both with a depth texture of the same format.
-   * @param x - first pixel of what is copied, with y
+   * Copies depth to the whole of a target; both have a depth texture of the same format.
+   * @param x - left pixel of the copied rectangle of `from`; y likewise
    */
   copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget, x = 0, y = 0): void {
     this.copy(framebufferHandle(this.webgl, from)!, to, this.gl.DEPTH_BUFFER_BIT, x, y);
@@ -191,7 +194,7 @@ export class FrameTarget {
     return this.several && this.webgl.getRenderTarget() === this.target;
   }
 
-  /** Draws to the first so many textures of the bound target; WebGL refuses a shader that writes fewer. */
+  /** Draws only to the first `count` textures of the bound target; WebGL refuses a shader that writes fewer. */
   protected setDrawBuffers(count: number): void {
     const { gl } = this;
     gl.drawBuffers((drawBuffers[count] ??= Array.from({ length: count }, (_, i) => gl.COLOR_ATTACHMENT0 + i)));

@@ -1,10 +1,10 @@
-/** Waits before failed code is fetched again (ms): the first, and the greatest; each is twice the one before. */
+/** First and greatest wait before failed code is fetched again (ms); each wait is twice the one before. */
 const FIRST_WAIT = 1000;
 const LONGEST_WAIT = 60_000;
 
-/** A part of the package in files of its own, fetched when first needed; shared by all renderers of a page. */
+/** A part of the package in separate files, fetched when first needed; shared by all renderers of a page. */
 export class Lazy<Code extends object, Name extends string = string> {
-  /** Collects parts that a frame asks for before they are loaded; null while no frame is drawn. */
+  /** Parts that the current frame needs and that are not loaded; null while no frame is drawn. */
   static lacking: Set<Lazy<object>> | null = null;
   /** Callbacks, each called once when the code is loaded. */
   readonly waiting = new Set<() => void>();
@@ -13,7 +13,7 @@ export class Lazy<Code extends object, Name extends string = string> {
   private loading: Promise<Code> | null = null;
   private wait = FIRST_WAIT;
   /**
-   * Time from which on `ask` may fetch again, by `performance.now` (ms); 0 before the first failure, which alone is
+   * Time from which on `ask` may fetch again, by `performance.now` (ms); 0 before the first failure. Later failures are not
    * reported.
    */
   private next = 0;
@@ -21,7 +21,7 @@ export class Lazy<Code extends object, Name extends string = string> {
   /**
    * @param name - name of the part in `FarolInfo.pending` and messages
    * @param fetch - fetches the code; called again after a failure
-   * @param instead - effect of the missing code, for the warning
+   * @param instead - consequence of the missing code, for the warning
    */
   constructor(
     readonly name: Name,
@@ -35,15 +35,14 @@ export class Lazy<Code extends object, Name extends string = string> {
   }
 
   /**
-   * Result of `by` applied to the code; null until the code is there. Call it in each frame that needs the code: the
-   * first call fetches. A failure is reported once; the fetch is tried again after a while, or when the page is online
-   * again.
+   * Result of `by` applied to the code; null until the code is loaded. Call in each frame that needs the code: the first call
+   * fetches. A failure is reported once; the fetch is tried again after a while, or when the page is online again.
    */
   use<Made>(by: (code: Code) => Made): Made | null {
     return this.ask() ? by(this.code!) : null;
   }
 
-  /** Starts to fetch the code, unless that is under way. @returns whether it is there */
+  /** Starts to fetch the code, unless a fetch is under way. @returns whether the code is loaded */
   ask(): boolean {
     if (this.isThere) return true;
     Lazy.lacking?.add(this);
@@ -58,7 +57,7 @@ export class Lazy<Code extends object, Name extends string = string> {
     return this.code;
   }
 
-  /** Fetches the code, at once also after a failure. @throws Error when it cannot be fetched */
+  /** Fetches the code, after a failure without waiting. @throws Error when it cannot be fetched */
   load(): Promise<Code> {
     return (this.loading ??= this.fetch().then(
       (code) => {
@@ -84,6 +83,6 @@ export class Lazy<Code extends object, Name extends string = string> {
   };
 
   private readonly retry = (): void => {
-    this.next = 1; // a time long past, so that the next use fetches again
+    this.next = 1; // a time in the past, so that the next use fetches again
   };
 }

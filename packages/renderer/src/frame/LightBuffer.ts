@@ -16,6 +16,6 @@ export interface LightBufferUniforms extends ThinGBufferUniforms {
 export interface LightBuffer {
   /** Uniforms of lightBufferFilter.glsl that read this buffer. */
   readonly uniforms: LightBufferUniforms;
-  /** Kinds of twins that take their direct light from the light buffer; set `farol_object` for each draw. */
+  /** Twins that read their direct light from the light buffer; call `setObject` before each draw. */
   readonly twins: (view: string) => ForwardTwins;
 }

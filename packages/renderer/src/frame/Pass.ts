@@ -7,18 +7,16 @@ export type { Resource } from './Resources';
 export interface Pass extends ResourceUser {
   /** Name in `FarolInfo.passes`. */
   readonly name: string;
-  /** Sources of microshaders that are the pass's own, by name. Default none. */
+  /** Sources of the pass's own microshaders, by name. Default none. */
   readonly microShaders?: Readonly<Record<string, string>>;
   /**
    * Draws, and puts the resources named in `writes` into `frame.resources`. Called inside three's `render`; must not
    * allocate in steady state.
    */
   render(frame: Frame): void;
-  /**
-   * Called in place of `render` while programs are compiled ahead; needed by passes that draw other than by `frame`.
-   */
+  /** Called in place of `render` while programs are compiled ahead; needed by passes that do not draw by methods of `frame`. */
   warmUp?(frame: Frame): void;
-  /** Whether `render` draws nothing in this frame, so that it is not timed. Default: not known. */
+  /** Whether `render` draws nothing in this frame, so that it is not timed. Default: unknown, so it is timed. */
   isIdle?(frame: Frame): boolean;
   /** Bytes of the targets that the pass holds. */
   readonly bytes: number;

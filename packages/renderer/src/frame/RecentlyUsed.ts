@@ -4,18 +4,18 @@ const KEPT = 2000;
 const MOST = 3;
 
 /**
- * Releases objects held for scenes or cameras that take turns: those not used for a while, sooner the more there are.
- * Counts time, not frames, since a host may draw none. The one used last is never released.
+ * Releases objects held for alternating scenes or cameras: those not used for a while, sooner the more there are. Counts time,
+ * not frames, since a host may draw none. The one used last is never released.
  */
 export class RecentlyUsed<Key> {
   private current: Key | null = null;
-  /** Time of last use (ms) of each object but the one in use, in the order of these times. */
+  /** Time of last use (ms) of each object except the one in use, in the order of these times. */
   private readonly lastUses = new Map<Key, number>();
   private timer: ReturnType<typeof setTimeout> | null = null;
 
   constructor(private readonly release: (key: Key) => void) {}
 
-  /** Notes a use; call it at each. */
+  /** Records a use; call it at each use. */
   use(key: Key): void {
     const { current, lastUses } = this;
     if (key === current) return;

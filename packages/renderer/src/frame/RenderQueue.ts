@@ -39,13 +39,13 @@ export function hasOwnShader(material: Material): boolean {
   );
 }
 
-/** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
+/** Test for materials that show shadows by three's `getShadowMask()`, and the twin kind that shows Farol's. */
 export interface ShadowMaskMaterials {
   shows(material: Material): boolean;
   readonly twin: TwinKind;
 }
 
-/** A material as the frame of that number found it. */
+/** Properties of a material, as read in the frame of that number. */
 interface MaterialLook {
   frame: number;
   rank: number;
@@ -55,7 +55,7 @@ interface MaterialLook {
   isOrderSensitive: boolean;
 }
 
-/** Objects that a frame draws, in the three lists of three.js. Items are pooled. */
+/** Draws of a frame, in three.js's three lists. Items are pooled. */
 export class RenderQueue {
   readonly opaque: RenderItem[] = [];
   readonly transmissive: RenderItem[] = [];
@@ -63,7 +63,7 @@ export class RenderQueue {
   private readonly pool: RenderItem[] = [];
   /** Layers of items that are not `layered`; 0 when lights ignore layers. */
   layers = 0;
-  /** Draws materials that show shadows alone (ShadowMaterial); null while three does it. Set by `FrameLights.update`. */
+  /** Twins of materials that show only shadows (ShadowMaterial); null while three draws them. Set by `FrameLights.update`. */
   shadowMasks: ShadowMaskMaterials | null = null;
   /** True if every opaque item is plain, and its material writes the geometry's depth. */
   covers = true;
@@ -76,7 +76,7 @@ export class RenderQueue {
   farthest = Infinity;
   /** Materials that only three's own lights can light. */
   readonly refused = new RefusedMaterials();
-  /** Number of first opaque items that are drawn into the target before anything else. */
+  /** Number of opaque items, from the first on, that are drawn into the target before anything else. */
   early = 0;
   /** True if an opaque item must be drawn in three's order. */
   ordered = false;
@@ -85,7 +85,7 @@ export class RenderQueue {
   /** Material of the frame's last item, whose properties are cached; null before the first. */
   private material: Material | null = null;
   private materialLook!: MaterialLook;
-  /** Looks of materials; those of earlier frames are renewed. */
+  /** Properties of materials; those of earlier frames are read again. */
   private readonly materialLooks = new WeakMap<Material, MaterialLook>();
   private frame = 0;
   private used = 0;
@@ -154,20 +154,20 @@ export class RenderQueue {
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
     if (list === this.opaque) {
-      // a polygon offset moves depths, from which positions are rebuilt
+      // a polygon offset shifts depth, so positions cannot be computed from it
       if (material.polygonOffset) this.farthest = -Infinity;
       if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
     }
     if (lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!isPlain(item) || ownShader)) this.covers = false;
     if (item.route === 'ordered') this.ordered = true;
-    // the lists are cut to their length when all is in, and so keep their storage
+    // `finish` sets the lists' lengths, so that they keep their storage
     if (list === this.opaque) list[this.opaques++] = item;
     else if (list === this.transparent) list[this.transparents++] = item;
     else list[this.transmissives++] = item;
   }
 
-  /** Looks at the material of the items that follow, once a frame: none of the host's code runs between items. */
+  /** Reads the properties of the next items' material, once a frame: no host code runs between items. */
   private lookAt(material: Material): void {
     let look = this.materialLooks.get(material);
     if (look === undefined) this.materialLooks.set(material, (look = {} as MaterialLook));
@@ -188,7 +188,7 @@ export class RenderQueue {
     this.materialLook = look;
   }
 
-  /** Shading of an item without nodes. @param ownShader - whether its shader is not three's as it is */
+  /** Shading of an item without nodes. @param ownShader - whether its shader differs from three's */
   private shadingOf(material: Material, ownShader: boolean): ItemShading {
     const lit = !threeChunks.lights && isLit(material);
     if (!lit && this.shadowMasks?.shows(material) !== true) return 'unlit';
@@ -196,7 +196,7 @@ export class RenderQueue {
     return lit ? 'lit' : 'shadow-mask';
   }
 
-  /** Whether what an object's bounding sphere holds may be as far as `farthest`. True where it has none. */
+  /** Whether an object's bounding sphere extends beyond `farthest`. True without a sphere. */
   private reaches(object: Object3D, geometry: BufferGeometry): boolean {
     const sphere = (object as Object3D & Partial<BufferGeometry>).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
@@ -218,8 +218,8 @@ export class RenderQueue {
   }
 
   /**
-   * Keeps to three's order where it shows. What comes before an item that must be drawn in order, and after nothing that
-   * passes draw in an order of their own, is drawn early; what comes after such items is left to the forward draws.
+   * Keeps three's order where it is visible. Items up to the last 'ordered' one are drawn early, as long as no 'split' item
+   * comes before; once a 'split' item precedes an 'ordered' one, plain items after that are drawn by the forward pass.
    */
   keepOrder(): void {
     if (!this.ordered) return;
@@ -239,7 +239,7 @@ export class RenderQueue {
     for (let i = 0; i < this.early; i++) if (isPlain(opaque[i])) opaque[i].route = 'forward';
   }
 
-  /** @param reversed - whether the sorted lists are reversed, as three until 0.185 does for reversed depth */
+  /** @param reversed - whether to reverse the sorted lists, as three does for reversed depth up to 0.185 */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
     if (this.ordered) for (const item of this.opaque) item.rank = 0;
     if (this.opaque.length > 1) this.opaque.sort((opaque as typeof byState | null) ?? byState);

@@ -7,9 +7,9 @@ import type { AccumulatedLight } from './AccumulatedLight';
 import type { LightLists } from './LightLists';
 import type { RenderItem } from './RenderItem';
 
-/** Textures and buffers that passes hand to one another within a frame, by name. */
+/** Textures and buffers that passes share within a frame, by name. */
 export interface Resources {
-  /** The host's render target, null for the canvas. There from the start; `Frame.bindTarget` binds it. */
+  /** The host's render target, null for the canvas. Given from the start; `Frame.bindTarget` binds it. */
   target: WebGLRenderTarget | null;
   /** Written by the pass that draws the surfaces of a G-buffer, or sums of their light, to the target. Has no value. */
   output: never;
@@ -21,7 +21,7 @@ export interface Resources {
   'scene-depth': Texture;
   /** G-buffer of the opaque surfaces. */
   gbuffer: GBuffer;
-  /** Direct light of each pixel of the G-buffer (linear radiance); in the count views lights a pixel, in red. */
+  /** Direct light at each pixel of the G-buffer (linear radiance); in heat-map views the number of lights, in red. */
   lighting: Texture;
   /** Lists of the lights that may reach each tile or cluster of the picture. */
   'light-lists': LightLists;
@@ -31,7 +31,7 @@ export interface Resources {
   'thin-gbuffer': ThinGBuffer;
   /** The light that reaches each texel of the thin G-buffer. */
   'light-buffer': LightBuffer;
-  /** Ambient occlusion; written by the effect AmbientOcclusion, once it has found it. */
+  /** Ambient occlusion; written by the effect AmbientOcclusion. */
   occlusion: OcclusionBuffer;
   /** Motion of pixels; written by the effect TAA when the picture is finished. */
   motion: MotionBuffer;
@@ -39,22 +39,22 @@ export interface Resources {
   froxels: FroxelBuffer;
   /** Number of decals on the surfaces of the G-buffer. */
   decals: number;
-  /** The transparent items, which the pass that writes this lays over the target. */
+  /** The transparent items; written by the pass that draws them. */
   transparent: readonly RenderItem[];
-  /** Resources of packages outside of Farol, by a prefixed name such as 'acme:fog'. */
+  /** Resources of other packages, by a prefixed name such as 'acme:fog'. */
   [own: `${string}:${string}`]: unknown;
 }
 
-/** Names of the resources that passes hand one another within a frame. */
+/** Names of the resources that passes share within a frame. */
 export type Resource = keyof Resources;
 
-/** A resource that is handed over by `put` and `get`. */
+/** Name of a resource with a value, for `put` and `get`. */
 export type HandedResource = Exclude<Resource, 'target' | 'output' | 'opaque'>;
 
-/** Resources that are there without a pass that writes them. */
+/** Resources given without a pass that writes them. */
 export const GIVEN: readonly Resource[] = ['target', 'overdraw'];
 
-/** A pass or an effect, with the resources that it declares. */
+/** A pass or an effect, and the resources that it declares. */
 export interface ResourceUser {
   readonly name: string;
   readonly reads: readonly Resource[];
@@ -66,7 +66,7 @@ interface Entry {
   frame: number;
 }
 
-/** "Technique "x": pass "y" reads "z", which no earlier pass writes." */
+/** Error `Technique "x": pass "y" reads "z", which no earlier pass writes.` */
 export function nobodyWrites(technique: string, user: string, resource: Resource): Error {
   return new Error(`${place(technique, user)} reads "${resource}", which no earlier pass writes; add one.`);
 }
@@ -88,13 +88,13 @@ export class ResourceTable {
     this.user = null;
   }
 
-  /** Sets the pass that draws next and is held to its `reads` and `writes`; null for effects, which are not. */
+  /** Sets the pass that draws next, whose `reads` and `writes` are enforced; null for effects, which are not checked. */
   use(technique: string, user: ResourceUser | null): void {
     this.technique = technique;
     this.user = user;
   }
 
-  /** Writes a resource for the passes and effects to come. @throws Error when the pass does not declare it in `writes` */
+  /** Writes a resource for later passes and effects. @throws Error when the pass does not declare it in `writes` */
   put<R extends HandedResource>(name: R, value: Resources[R]): void {
     const { user } = this;
     if (user !== null && !user.writes.includes(name)) throw this.undeclared(user, 'writes', name);
@@ -107,8 +107,8 @@ export class ResourceTable {
   }
 
   /**
-   * Value of a resource, as last written in this frame.
-   * @throws Error when nobody has written it in this frame, or the pass does not declare it in `reads`
+   * Last value of a resource in this frame.
+   * @throws Error when it was not written in this frame, or the pass does not declare it in `reads`
    */
   get<R extends HandedResource>(name: R): Resources[R] {
     const value = this.find(name);
@@ -118,7 +118,7 @@ export class ResourceTable {
   }
 
   /**
-   * Value written last, undefined when nobody has written it in this frame.
+   * Last value of a resource in this frame; undefined when it was not written.
    * @throws Error when the pass does not declare it in `reads`
    */
   find<R extends HandedResource>(name: R): Resources[R] | undefined {

@@ -3,7 +3,7 @@ import type { Lazy } from './Lazy';
 import type { Pass, Resource } from './Pass';
 import type { LightOrder } from '../lighting/LightTable';
 
-/** A way of drawing: an array of passes, which hand one another `frame.resources`. */
+/** A way of drawing: an array of passes, which share `frame.resources`. */
 export interface Technique {
   /** Name in menus. */
   readonly label: string;
@@ -13,21 +13,21 @@ export interface Technique {
   readonly lightOrder: LightOrder;
   /** Whether the technique draws to float colour targets. */
   readonly needsFloatTargets: boolean;
-  /** Pixels that the technique writes, in place of a clear by three; null for none. Default 'behind'. */
+  /** Pixels that the technique writes, so that three need not clear them; null for none. Default 'behind'. */
   readonly fills?: Fills | null;
   /** Whether all shaders of the technique can read few lights from uniforms (fewLights.glsl), in place of a texture. Default false. */
   readonly readsFew?: boolean;
   /**
-   * Late code of the technique, fetched at its first use; until it is loaded the technique that drew the scene last draws,
-   * or else 'deferred', or 'forward-single-pass' where lights are few or the device has no float targets. Default: that
-   * of `lightOrder`.
+   * Late code of the technique, fetched at its first use; until it is loaded the technique that drew the scene last draws, or
+   * else 'deferred', or 'forward-single-pass' where lights are few or the device has no float targets. Default: the code that
+   * `lightOrder` needs.
    */
   readonly lazy?: Lazy<object>;
   /**
-   * Resources that the passes write, of `gbuffer` and `scene-depth` at full size, known before `lazy` is loaded.
-   * Default: asked from the passes, which a technique without late code has.
+   * Which of `gbuffer` and `scene-depth` (at full size) the passes write, known before `lazy` is loaded. Default: read from the
+   * passes of a technique without late code.
    */
   readonly writes?: readonly Resource[];
-  /** The passes, in the order in which they draw; each renderer has its own. @throws Error while `lazy` is not there */
+  /** Makes a renderer's passes, in drawing order. @throws Error while `lazy` is not loaded */
   passes(): Pass[];
 }

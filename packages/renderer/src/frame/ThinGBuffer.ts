@@ -9,18 +9,18 @@ export interface ThinGBufferUniforms extends UnprojectUniforms {
   farol_thinStored: IUniform<number>;
   /** Size of the thin G-buffer (texels). */
   farol_size: IUniform<Vector2>;
-  /** Transform of the picture's normalised device coordinates to the buffer's. */
+  /** Transform from the picture's normalised device coordinates to the buffer's, by `gridFit`. */
   farol_fit: IUniform<Vector4>;
 }
 
-/** Target with the surfaces' properties that lighting needs, and no more. */
+/** Target that holds only those properties of surfaces that lighting needs. */
 export interface ThinGBuffer {
   /**
-   * Attachment 0: normal, specular lobe and object; 1, where depth is too coarse for positions, or shadow maps are looked
-   * up along another normal: distances, and the vertices' normals.
+   * Attachment 0: normal, specular lobe and object number; 1, if depth is too coarse for positions or shadow look-ups need
+   * vertex normals: distances and vertex normals.
    */
   readonly target: WebGLRenderTarget;
-  /** Texels for each pixel of the picture, along a side. */
+  /** Side of the buffer as a share of the picture's. */
   readonly scale: number;
   /** Transform of the picture's normalised device coordinates to the buffer's, by `gridFit`. */
   readonly fit: Vector4;

@@ -15,24 +15,27 @@ export interface ViewTile {
   label: string;
   /** Index of the face, cascade or slice, from 1. */
   number: number;
-  /** Faces, cascades or slices in all. */
+  /** Number of faces, cascades or slices. */
   count: number;
   /** Distance (m) that is shown black, or at which a slice begins; 0 where there is none. */
   near: number;
   /** Distance (m) that is shown white, or at which a slice ends; 0 where there is none. */
   far: number;
-  /** Light that the tile belongs to; null where it belongs to none. */
+  /** Light that the tile belongs to; null for none. */
   light: Light | null;
 }
 
-/** A view of a buffer in the last frame: its parts and scale, or what the frame lacks for it. */
+/** State of a view of a buffer in the last frame: its parts and scale, or what the frame lacks for it. */
 export interface ViewInfo {
-  /** View that is told of. */
+  /** Name of the view. */
   view: View;
-  /** Sentence that says what the frame lacks, and the mend; the final picture is shown then. Null while the buffer is shown. */
+  /**
+   * Sentence on what the frame lacks, and how to get it, while the final picture is shown instead; null while the buffer is
+   * shown.
+   */
   problem: string | null;
   /** Motion (pixels a frame) that is shown in full brightness; 0 in other views. */
   fullMotion: number;
-  /** Parts of the view, if it has some. The same objects every frame: read, do not keep. */
+  /** Parts of the view, empty if it has none. The same objects every frame: read, do not keep. */
   tiles: readonly ViewTile[];
 }

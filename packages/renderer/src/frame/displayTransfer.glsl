@@ -1,4 +1,4 @@
-// The transfer function of sRGB and its inverse, a channel at a time, values above 1 included.
+// The transfer function of sRGB and its inverse for each channel, also for values above 1.
 // IEC 61966-2-1
 //? farol_toDisplay(vec3(1.0)) == vec3(1.0)
 //? farol_toLinear(vec3(0.0)) == vec3(0.0)
@@ -15,12 +15,12 @@ vec3 farol_toDisplay(const in vec3 radiance) {
     vec3(greaterThan(radiance, vec3(0.0031308))));
 }
 
-// factor by which a colour was multiplied: alpha, or more where light was added to a transparent surface
+// factor that a premultiplied colour contains: alpha, or more where light was added to a transparent surface
 float farol_multiplier(const in vec4 color) {
   return color.a < 1.0 ? max(max(color.r, max(color.g, color.b)), max(color.a, 1e-6)) : 1.0;
 }
 
-// linear RGB of a colour that is multiplied by alpha, as in a canvas: converts the colour before that
+// linear RGB of a premultiplied colour, as in a canvas: converts the colour as it was before multiplication
 vec4 farol_toLinear(const in vec4 encoded) {
   float multiplier = farol_multiplier(encoded);
   return vec4(farol_toLinear(encoded.rgb / multiplier) * multiplier, encoded.a);

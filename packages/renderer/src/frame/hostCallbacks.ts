@@ -4,12 +4,12 @@ const { onBeforeRender, onAfterRender } = Object3D.prototype;
 
 type Callback = (...all: never[]) => void;
 
-/** Whether a host's callback draws, for callbacks of which this is known. */
+/** Cache: whether a host's callback draws. */
 const drawing = new WeakMap<Callback, boolean>();
 
 /**
- * Whether a callback clears depth and not colour, or draws, in the target that it is called for: it then belongs into the
- * host's target, and not into several textures at once. Known by its text, until a call was seen to (`CallbackWatch`).
+ * Whether a callback clears only depth, or draws, in the bound target: its item must then be drawn to the host's target, not to
+ * several textures at once. Judged by its source text, until `CallbackWatch` has seen a call do it.
  */
 function draws(callback: Callback): boolean {
   let known = drawing.get(callback);
@@ -21,7 +21,7 @@ function draws(callback: Callback): boolean {
   return known;
 }
 
-/** `BatchedMesh.prototype.onBeforeRender`, found from a batch: to import the class would add 4 kB to every page. */
+/** `BatchedMesh.prototype.onBeforeRender`, found from a batch, since importing the class would add 4 kB to every page. */
 function callbackOfBatches(batch: Object3D): Callback {
   let prototype: Object3D | null = batch;
   let above: Object3D | null = null;
@@ -31,8 +31,8 @@ function callbackOfBatches(batch: Object3D): Callback {
 }
 
 /**
- * Whether the host's code, run when an object is drawn, may clear depth or draw: by what is known of it, and that of whatever
- * has a place in the order of draws.
+ * Whether an object's callbacks may clear depth or draw, by their text or past calls.
+ * @param hasPlace - whether the object has a place in the host's order of draws; any callback then counts
  */
 export function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
   const { onBeforeRender: before, onAfterRender: after } = object;
@@ -42,25 +42,25 @@ export function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
   return hasPlace || draws(before) || draws(after);
 }
 
-/** Whether a callback is three's own, which does nothing. */
+/** Whether a callback is three's own empty one. */
 export function isEmptyCallback(callback: Callback): boolean {
   return callback === onBeforeRender || callback === onAfterRender;
 }
 
 /**
- * Watches callbacks of objects while they run: one that clears depth or draws in the bound target, also by a function that its
- * text only names, counts as a step of the host's from the next frame on.
+ * Watches callbacks of objects while they run: one that clears depth or draws in the bound target, even through another
+ * function, counts as a step of the host's from the next frame on.
  */
 export class CallbackWatch {
   private callback: Callback | null = null;
   private target: WebGLRenderTarget | null = null;
-  /** The WebGLRenderer's own `clear` and the like, as the host set them. */
+  /** The WebGLRenderer's `clear`, `render` and the like, or the host's replacements. */
   private clear!: WebGLRenderer['clear'];
   private render!: WebGLRenderer['render'];
 
   constructor(private readonly webgl: WebGLRenderer) {}
 
-  /** Call before a host's callback; call `end` after it, also when it throws. */
+  /** Begins to watch a host's callback. Call `end` after it, even if it throws. */
   begin(callback: Callback): void {
     if (drawing.get(callback) === true) return;
     const { webgl } = this;

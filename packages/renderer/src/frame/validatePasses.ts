@@ -1,8 +1,8 @@
 import { GIVEN, nobodyWrites, type Resource, type ResourceUser } from './Resources';
 
 /**
- * Checks that each pass reads only what an earlier one wrote, none reads what it writes (but the target), and the last
- * result is the target.
+ * Checks that each pass reads only resources that an earlier one wrote, that none reads what it writes (except the target), and
+ * that the last one writes the target.
  * @throws Error that names the pass and the resource
  */
 export function validatePasses(technique: string, passes: readonly ResourceUser[]): void {

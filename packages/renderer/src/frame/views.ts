@@ -1,6 +1,6 @@
 /**
- * Values of `FarolRenderer.view`. Those after 'grid' show a buffer that an effect, a technique or lights make; where the frame
- * has none, the final picture stays, and `FarolInfo.view` names the mend.
+ * Values of `FarolRenderer.view`. Those after 'grid' show a buffer of an effect, a technique or lights; if the frame lacks it,
+ * the final picture is shown, and `FarolInfo.view` names the mend.
  */
 export const views = [
   'final',
@@ -26,7 +26,7 @@ export const views = [
   'froxels',
 ] as const;
 
-/** Names of the views: the final picture, or a part of how it is made. */
+/** Names of the views: the final picture, or an intermediate buffer or count. */
 export type View = (typeof views)[number];
 
 /** Whether the technique itself draws a view. */
@@ -39,13 +39,13 @@ export function isCountView(view: View): boolean {
   return view === 'light-count' || view === 'overdraw';
 }
 
-/** Whether a view shows surface properties, equal in every technique: drawn from a G-buffer of its own. */
+/** Whether a view shows surface properties, equal in every technique: drawn from a separate G-buffer. */
 export function isSurfaceView(view: View): boolean {
   const index = views.indexOf(view);
   return index > 0 && index < views.indexOf('lighting');
 }
 
-/** Whether a view lies over the finished picture, since it shows a buffer of that frame. */
+/** Whether a view is drawn over the finished picture, since it shows a buffer of that frame. */
 export function isBufferView(view: View): boolean {
   return views.indexOf(view) > views.indexOf('grid');
 }

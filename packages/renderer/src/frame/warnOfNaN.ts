@@ -3,8 +3,8 @@ import type { Camera, Object3D } from 'three';
 const warned = new WeakSet<Object3D>();
 
 /**
- * Warns once of a camera whose position or projection is NaN, else of an object whose position in the picture is.
- * Drawing is not changed.
+ * Warns once of a camera whose position or projection is NaN, else of an object whose screen position is NaN. Does not change
+ * drawing.
  */
 export function warnOfNaN(camera: Camera, object: Object3D | null = null): void {
   const { elements } = camera.projectionMatrix;

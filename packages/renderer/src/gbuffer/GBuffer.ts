@@ -6,17 +6,17 @@ import { targetBytes } from '../gpu/targetBytes';
 import { formatOf, gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 
-/** Geometry buffer: the attachments of `gbufferLayout`, those that effects ask for, and a depth texture. */
+/** Geometry buffer: the attachments of `gbufferLayout`, those that effects add, and a depth texture. */
 export class GBuffer {
   readonly target: WebGLMultipleRenderTargets;
   readonly layout: readonly GBufferAttachment[];
-  /** Emissive and indirect light: the first attachment, or its replacement by an effect for the rest of a frame. */
+  /** Emissive and indirect light: the first attachment, or an effect's replacement of it for the rest of a frame. */
   accumulation: Texture;
 
   /**
    * @param extras - attachments after those of `gbufferLayout`
-   * @param storesDistance - whether distances are stored beside normals, and give positions in place of depth
-   * @param isLite - whether it has the smaller formats of the quality 'lite'
+   * @param storesDistance - whether distances are stored beside normals, to compute positions from in place of depth
+   * @param isLite - whether to use the smaller formats of the quality 'lite'
    * @throws Error when the device has fewer draw buffers than the layout has attachments
    */
   constructor(
@@ -40,7 +40,7 @@ export class GBuffer {
     });
     layout.forEach((row, i) => {
       const { name } = row;
-      // floats of 11 bits need whole float targets
+      // R11F_G11F_B10F targets need EXT_color_buffer_float
       const isSmall = isLite && (name !== 'accumulation' || webgl.extensions.has('EXT_color_buffer_float'));
       const { format, type } = formatOf(row, isSmall);
       const texture = this.target.textures[i];
@@ -73,7 +73,7 @@ export class GBuffer {
     return targetBytes(this.target);
   }
 
-  /** @param width - pixels @param height - pixels */
+  /** Resizes the G-buffer (pixels). */
   setSize(width: number, height: number): void {
     fitTarget(this.target, width, height);
   }

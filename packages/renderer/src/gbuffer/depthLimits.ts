@@ -1,15 +1,16 @@
-/** Distances from the far end of depth that may be rounded to the end itself: some steps of 24 bits, and of 16. */
+/** Distances from the far end of depth (1) that may be rounded to it: some steps of 24 bits, and of 16 bits. */
 const STEPS_24 = 2 ** -22;
 const STEPS_16 = 2 ** -14;
-/** Ratio of far to near plane from which on positions are not rebuilt from depth. */
+/** Ratio of far to near plane from which on positions are not computed from depth. */
 const WIDEST = 5e4;
 
-/** Ratio of depth range to height of an orthographic view from which on a step of depth is visible. */
+/** Ratio of depth range to height of an orthographic view from which on single steps of depth are visible. */
 const DEEPEST = 1e3;
 
 /**
- * Whether places can be rebuilt from depth, and lights put into tiles: the projection is perspective or orthographic,
- * also off-centre or with an oblique near plane, not skewed, and holds no view as those of mapping libraries do.
+ * Whether positions can be computed from depth, and lights sorted into tiles: the projection is perspective or orthographic,
+ * possibly off-centre or with an oblique near plane, but not skewed, and does not include the view matrix, as in mapping
+ * libraries.
  * @param m - 16 elements of a projection, column-major
  * @param orthographic - whether the camera is an OrthographicCamera
  */
@@ -23,9 +24,9 @@ function isOblique(m: ArrayLike<number>): boolean {
 }
 
 /**
- * Distance (m, along the view) from which on a surface's depth may be 1, like an empty pixel's; Infinity for none.
+ * Distance (m, along the view) from which on a surface's depth may be 1, like an empty pixel's; Infinity if never.
  * @param m - 16 elements of a projection, column-major
- * @param logarithmic - the far plane of logarithmic depth (m), else 0
+ * @param logarithmic - far plane of logarithmic depth (m), else 0
  * @param coarse - whether depth has 16 bits
  */
 export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmic: number, coarse: boolean): number {
@@ -37,8 +38,8 @@ export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmi
 }
 
 /**
- * True if positions rebuilt from 32-bit depth would be too coarse or, with an oblique near plane, wrong: then the
- * G-buffer stores the distances of surfaces.
+ * True if positions computed from 32-bit depth would be too coarse or, with an oblique near plane, wrong: the G-buffer then
+ * stores the distances of surfaces.
  * @param m - 16 elements of a projection, column-major
  * @param precise - whether depth is reversed or logarithmic
  */

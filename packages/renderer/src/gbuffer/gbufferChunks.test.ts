@@ -26,7 +26,7 @@ it('surfaceFlags.glsl is made from the tables of flags', async () => {
   const flags = Object.entries(surfaceFlags).map(
     ([name, bit]) => `bool farol_${name}(const in int flags) { return (flags & ${bit}) != 0; }\n`,
   );
-  await expect(`// The flags of a surface: its shading model, and what else is done with it.
+  await expect(`// Flags of a surface: its shading model, fog, shadows and the like.
 // Farol; made from the tables of gbuffer/surfaceFlags.ts by gbuffer/gbufferChunks.test.ts
 //? farol_unpackFlags(farol_packFlags(13)) == 13
 //? farol_hasFog(13) == true

@@ -20,20 +20,20 @@ export interface TexelFormat {
 /** A texture of the G-buffer. */
 export interface GBufferAttachment extends TexelFormat {
   readonly name: string;
-  /** GLSL precision of the sampler uniform that reads it. Default 'highp'. */
+  /** GLSL precision of the attachment's sampler uniform. Default 'highp'. */
   readonly precision?: 'highp' | 'lowp';
   /** Format with the quality 'lite'. Default: the attachment's own. */
   readonly lite?: TexelFormat;
 }
 
 /**
- * The G-buffer, 20 bytes a pixel and 32-bit float depth; 14 and depth with the quality 'lite'. Position is rebuilt from
- * depth. Four attachments, WebGL2's least. Outputs and uniforms (gbufferNames.ts) and gbufferTextures.glsl are made from
+ * The G-buffer: 20 bytes a pixel (14 with the quality 'lite') and 32-bit float depth. Positions are computed from depth. Four
+ * attachments, the number that WebGL2 guarantees. Outputs and uniforms (gbufferNames.ts) and gbufferTextures.glsl are made from
  * these rows; the encoding is in gbufferWrite.glsl and gbufferRead.glsl.
  */
 export const gbufferLayout = [
-  // rgb: emissive, ambient, environment, light maps (linear); a, not in 'lite': Phong shininess, or the
-  // vertices' normal, see halfNormal.glsl
+  // rgb: emissive, ambient, environment, light maps (linear); a, not in 'lite': Phong shininess, or the vertex normal,
+  // see halfNormal.glsl
   {
     name: 'accumulation',
     ...{ format: RGBAFormat, type: HalfFloatType, bytes: 8 },

@@ -27,7 +27,7 @@ export function gbufferTextureUniforms(): GBufferTextureUniforms {
 /**
  * Declares the outputs of a shader that draws into attachments: `farol_outNormal` and the like.
  * @param layout - layout of the target: `gbufferLayout`, or one that begins with it
- * @param from - location of the first, 0 to the number of attachments. Default 1: three's own gl_FragColor is at 0
+ * @param from - location of the first output, 0 to the number of attachments. Default 1: three's own gl_FragColor has 0
  */
 export function attachmentOutputs(layout: readonly GBufferAttachment[] = gbufferLayout, from = 1): string {
   const line = ({ name }: GBufferAttachment, i: number) =>

@@ -7,13 +7,13 @@
 #include "storedDistance"
 #include "surfaceFlags"
 #include "unproject"
-// x: 0 no distances are stored, 1 they are, perspective, 2 orthographic; y: 1 if flags, not depth, tell empty pixels;
-// z: 1 if the layout is that of the quality 'lite'
+// x: stored distances: 0 none, 1 perspective, 2 orthographic; y: 1 if pixels with the farthest depth are empty only
+// if their flags are 0; z: 1 for the layout of the quality 'lite'
 uniform highp ivec3 farol_gStored;
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_surfacePosition(pixel, farol_gDepthAt(pixel), farol_readSize)
 
-// normal along which the surface in farol_readPixel looks shadow maps up: the vertices'
+// normal of shadow look-ups for the surface in farol_readPixel: the vertex normal
 #define FAROL_SHADOW_NORMAL_OF(s) farol_vertexNormal(s.flags, s.normalVS)
 vec3 farol_vertexNormal(const in int flags, const in vec3 normalVS) {
   if (farol_hasVertexNormal(flags)) return farol_unpackNormal(farol_gAccumulationAt(farol_readPixel).a);
@@ -29,14 +29,14 @@ struct FarolSurface {
   int flags; // flags of the surface, see surfaceFlags.glsl
 };
 
-// as the layout of the quality 'full' stores it
+// material attachment of a pixel, in the layout of the quality 'full'
 vec4 farol_materialAt(const in ivec2 pixel, const in int flags) {
   vec4 material = farol_gMaterialAt(pixel);
   if (farol_gStored.z == 0) return material;
   return farol_shadingModel(flags) == FAROL_PHONG ? material.rrra : vec4(material.rg, 0.2, 1.0);
 }
 
-// shininess of a Phong surface; above 0 for Lambert surfaces too, whose lobe counts for nothing: pow(0, 0) is NaN
+// shininess of a Phong surface; above 0 also for Lambert surfaces, since pow(0, 0) is NaN, although they have no lobe
 float farol_shininessAt(const in ivec2 pixel) {
   return farol_gStored.z == 0 ? farol_gAccumulationAt(pixel).a
     : max(exp2(13.0 * farol_gMaterialAt(pixel).g) - 1.0, 1e-3);

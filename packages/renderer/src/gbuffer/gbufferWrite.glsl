@@ -5,7 +5,7 @@
 #include "roundToHalf"
 #include "storedDistance"
 #include "surfaceFlags"
-uniform bool farol_lite; // whether the layout is that of the quality 'lite'
+uniform bool farol_lite; // whether to write the layout of the quality 'lite'
 #if defined( STANDARD )
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(material.roughness, material.metalness, \
     sqrt(material.specularColor.r), material.specularF90); gl_FragColor.a = 1.0;
@@ -18,8 +18,7 @@ uniform bool farol_lite; // whether the layout is that of the quality 'lite'
 #else
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(1.0, 0.0, 0.0, 0.0); gl_FragColor.a = 1.0;
 #endif
-// normal of the vertices, along which shadow maps are looked up, where a map or the other side has changed it;
-// the layout of 'lite' has no room for it
+// vertex normal for shadow look-ups, if a normal map or back face changes the shaded normal; not stored in 'lite'
 #if ( defined( USE_NORMALMAP ) || defined( USE_BUMPMAP ) ) && defined( FAROL_VERTEX_NORMAL ) \
   && ! defined( FLAT_SHADED ) && ! defined( PHONG )
   #define FAROL_NORMAL_FLAG (farol_lite ? 0 : FAROL_HAS_VERTEX_NORMAL)

@@ -13,5 +13,5 @@ vec2 farol_encodeNormal(const in vec3 normal) {
 vec3 farol_decodeNormal(const in vec2 encoded) {
   vec3 n = vec3(encoded, 1.0 - abs(encoded.x) - abs(encoded.y));
   if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  return n.z <= 1.0 ? normalize(n) : vec3(0.0); // NaN marks a surface without a normal: no light reaches it
+  return n.z <= 1.0 ? normalize(n) : vec3(0.0); // NaN, a surface without a normal, gives zero: no light reaches it
 }

@@ -15,8 +15,8 @@ type AnyMaterial = Material & {
 };
 
 /**
- * The shading model by which the G-buffer can hold a material without loss that shows, or null: then it is drawn
- * forward. A cube map blended into the lit colour, albedo above 1 and the lobes of MeshPhysicalMaterial do not fit.
+ * Shading model by which the G-buffer can hold a material without visible loss; null if it must be drawn forward. A cube map
+ * blended into the lit colour, albedo above 1 and the lobes of MeshPhysicalMaterial do not fit.
  */
 export function shadingModelOf(material: Material): ShadingModel | null {
   const m = material as AnyMaterial;
@@ -29,8 +29,8 @@ export function shadingModelOf(material: Material): ShadingModel | null {
 }
 
 /**
- * Whether a material that a G-buffer holds is not held by that of the quality 'lite': one whose reflectance at normal
- * incidence may differ from 0.04, or whose specular is coloured.
+ * Whether a material fits the G-buffer but not that of the quality 'lite': its reflectance at normal incidence may differ from
+ * 0.04, or its specular is coloured.
  */
 export function exceedsLite(material: Material): boolean {
   const { specular, isMeshPhysicalMaterial } = material as AnyMaterial & Partial<MeshPhongMaterial>;
@@ -38,7 +38,7 @@ export function exceedsLite(material: Material): boolean {
   return isMeshPhysicalMaterial === true;
 }
 
-/** The flags of a material, 0 to 47, as the G-buffer keeps them. */
+/** Flags of a material in the G-buffer, 0 to 47. */
 export function flagsOf(material: Material, model: ShadingModel): number {
   return (
     shadingModels[model] +
@@ -48,7 +48,7 @@ export function flagsOf(material: Material, model: ShadingModel): number {
   );
 }
 
-/** Whether a map has a float format, so that it may exceed 1, as a mirror's target does. */
+/** Whether a map has a float format, such as a mirror's target, so that values may exceed 1. */
 function isOfFloats(map?: Texture | null): boolean {
   return map?.type === HalfFloatType || map?.type === FloatType;
 }

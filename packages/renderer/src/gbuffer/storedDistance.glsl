@@ -1,12 +1,12 @@
-// The distance of a surface along the view in two half floats, to some millionths: its logarithm; orthographic: itself.
-// Farol
+// A surface's distance along the view in two half floats, accurate to some millionths: its logarithm; for
+// orthographic cameras the distance itself. Farol
 #include "roundToHalf"
 //? farol_unpackDistance(farol_packDistance(1234.5, false), false) == 1234.5
 //? farol_unpackDistance(farol_packDistance(0.00003, false), false) * 100000.0 == 3.0
 //? farol_unpackDistance(farol_packDistance(-123.4, true), true) == -123.4
 vec2 farol_packDistance(const in float distanceVS, const in bool orthographic) {
   if (orthographic) {
-    // not by packHalf2x16: a driver may drop packing and unpacking, and so the rounding
+    // not packHalf2x16: a driver may optimise packing and unpacking away, and with it the rounding
     float high = farol_roundToHalf(vec2(distanceVS)).x;
     return farol_roundToHalf(vec2(high, distanceVS - high));
   }

@@ -1,4 +1,4 @@
-// The flags of a surface: its shading model, and what else is done with it.
+// Flags of a surface: its shading model, fog, shadows and the like.
 // Farol; made from the tables of gbuffer/surfaceFlags.ts by gbuffer/gbufferChunks.test.ts
 //? farol_unpackFlags(farol_packFlags(13)) == 13
 //? farol_hasFog(13) == true

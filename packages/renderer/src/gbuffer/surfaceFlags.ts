@@ -5,16 +5,16 @@ export const shadingModels = { unlit: 0, standard: 1, phong: 2, lambert: 3 } as 
 export type ShadingModel = keyof typeof shadingModels;
 
 /**
- * Flag bits above the shading model. The shader adds the first, by the object, and the last two, by which
- * shadow maps are looked up along the vertices' normal; the others follow the material.
+ * Flag bits above the shading model. The shader sets the first, from the object, and the last two, for shadow look-ups along the
+ * vertex normal; the others depend on the material.
  */
 export const surfaceFlags = {
   receivesShadows: 16,
   hasFog: 4,
   isToneMapped: 8,
   isDithered: 32,
-  /** The G-buffer stores the vertices' normal too: it is not the shaded one. */
+  /** Whether the G-buffer also stores the vertex normal, which differs from the shaded one. */
   hasVertexNormal: 64,
-  /** The shaded normal is turned round: a back face's. */
+  /** Whether the shaded normal is reversed, on a back face. */
   isReversed: 128,
 } as const;

@@ -3,10 +3,10 @@ import { unpackAsIs } from '../three/unpackAsIs';
 import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 
-/** Number of textures used in turn, so that none is written while the GPU may read it for an earlier frame. */
+/** Number of textures used in rotation, so that none is written while the GPU may read it for an earlier frame. */
 const TURNS = 3;
 
-/** One of the table's textures, with the range of data that is not uploaded to it yet. */
+/** One of the table's textures, and the range of data not yet uploaded to it. */
 interface Slot {
   texture: DataTexture;
   fresh: boolean;
@@ -15,7 +15,7 @@ interface Slot {
 }
 
 /**
- * A growable float texture that uploads only rows whose content changed, or of a single row only its texels. Allocates
+ * A growable float texture that uploads only rows whose content changed, or, within a single row, only changed texels. Allocates
  * only to grow.
  */
 export class DataTable {
@@ -54,7 +54,7 @@ export class DataTable {
     this.makeSlots();
   }
 
-  /** Writes one texel at a float offset, and remembers whether it changed. */
+  /** Writes one texel at a float offset, and records whether it changed. */
   set4(at: number, x: number, y: number, z: number, w: number): void {
     const d = this.data;
     x = Math.fround(x);
@@ -75,7 +75,7 @@ export class DataTable {
     if (this.lastChanged >= floats) this.lastChanged = floats - 1;
   }
 
-  /** Uploads the rows that changed. Call inside a frame, before the texture is drawn with. */
+  /** Uploads the rows that changed. Call inside a frame, before draws that read the texture. */
   upload(webgl: WebGLRenderer): void {
     this.uploadedBytes = 0;
     if (this.lastChanged >= this.firstChanged) {

@@ -1,12 +1,12 @@
 import { BufferGeometry, Mesh } from 'three';
 
 /**
- * Shared by all full-screen meshes of the page: three keeps a table for each geometry drawn without a scene as long as
- * the WebGLRenderer lives, even after the geometry is disposed.
+ * Geometry shared by all full-screen meshes of the page: three keeps a table for each geometry drawn without a scene for the
+ * WebGLRenderer's lifetime, even after the geometry is disposed.
  */
 const triangle = /* @__PURE__ */ makeTriangle();
 
-/** One triangle that covers the viewport, its corners made from gl_VertexID, so that nothing is uploaded. */
+/** One triangle that covers the viewport, with corners computed from gl_VertexID, so that nothing is uploaded. */
 export class FullscreenMesh extends Mesh {
   constructor() {
     super(triangle);

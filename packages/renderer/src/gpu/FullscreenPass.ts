@@ -5,7 +5,7 @@ import { FullscreenMesh } from './FullscreenMesh';
 import { OutputMaterial, PassMaterial, type PassMaterialOptions } from './PassMaterial';
 import { PassTarget, type PassTargetOptions } from './PassTarget';
 
-/** Draws a full-screen pass: a `Frame`, or code that draws outside of frames. */
+/** Object by which full-screen passes are drawn: a `Frame`, or a drawer outside of frames. */
 export interface MeshDrawer {
   readonly microshaders: MicroShaderRegistry;
   /** Uniforms that all passes of a renderer share. */
@@ -25,13 +25,13 @@ export interface FullscreenPassOptions<U extends Uniforms> extends Omit<
   PassMaterialOptions,
   'name' | 'vertex' | 'fragment' | 'uniforms'
 > {
-  /** Name of the program, in messages of the device and of tools. */
+  /** Name of the program, for messages of the device and of tools. */
   readonly program: string;
-  /** Microshaders whose mains make the fragment shader, in this order. */
+  /** Microshaders whose mains form the fragment shader, in this order. */
   readonly fragment: string | readonly string[];
   /** Microshader whose main places the triangle. Default 'fullscreen': over the whole viewport. */
   readonly vertex?: string;
-  /** Sources of microshaders that are the pass's own, by name; those of the renderer need not be given. Default none. */
+  /** Sources of the pass's own microshaders, by name, besides those of the renderer. Default none. */
   readonly microShaders?: Readonly<Record<string, string>>;
   /** The pass's own uniforms; set their values before a draw. Default none. */
   readonly uniforms?: U;
@@ -43,7 +43,7 @@ export interface FullscreenPassOptions<U extends Uniforms> extends Omit<
    */
   readonly asThree?: boolean;
   /**
-   * Whether the pass is drawn several times in a frame with different uniforms, which three would send only once.
+   * Whether the pass is drawn several times in a frame with different uniforms, which three would otherwise upload only once.
    * Default false.
    */
   readonly repeats?: boolean;
@@ -52,8 +52,8 @@ export interface FullscreenPassOptions<U extends Uniforms> extends Omit<
 }
 
 /**
- * A triangle over the whole viewport with a fragment shader made of microshaders. Owns a program and, if asked
- * for, a target; makes them when first drawn, and anew after `dispose`.
+ * A triangle over the whole viewport with a fragment shader composed of microshaders. Owns a program and, with the option
+ * `target`, a target; both are created by the first draw, and again after `dispose`.
  *
  * @example
  * const brightness = new FullscreenPass({
@@ -133,7 +133,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     drawer.compileMesh(this.triangle, this.material(drawer));
   }
 
-  /** Changes microshaders or defines, from the next draw on. */
+  /** Replaces microshaders or defines, from the next draw on. */
   protected recompose(parts: Pick<FullscreenPassOptions<U>, 'fragment' | 'defines'>): void {
     this.options = { ...this.options, ...parts };
     this.made?.dispose();
@@ -173,9 +173,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
   }
 }
 
-/**
- * Uniforms that a pass gets. Others are left out, so that their textures are not bound while the pass may write them.
- */
+/** Shared uniforms of a pass. Others are left out, so that their textures are not bound while the pass may write them. */
 function sharedOf({ uniforms }: MeshDrawer, shared: 'all' | readonly string[] = []): Uniforms {
   if (shared === 'all') return { ...uniforms };
   return Object.fromEntries(shared.map((name) => [name, uniforms[name]]));

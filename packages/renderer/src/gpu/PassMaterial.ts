@@ -22,9 +22,9 @@ export interface PassMaterialOptions extends Pick<
   | 'defines'
 > {
   readonly name: string;
-  /** Microshaders whose mains make the vertex shader. */
+  /** Microshaders whose mains form the vertex shader. */
   readonly vertex: readonly string[];
-  /** Microshaders whose mains make the fragment shader. */
+  /** Microshaders whose mains form the fragment shader. */
   readonly fragment: readonly string[];
   readonly uniforms: Record<string, IUniform>;
 }
@@ -67,8 +67,8 @@ function parameters(options: PassMaterialOptions): ShaderMaterialParameters {
 }
 
 /**
- * Makes `version` of a class count changes of three's chunks too, which the texts include. An accessor on each material would
- * give it a slow hidden class, which slows what three reads of every material.
+ * Makes `version` of a class also count changes of three's chunks, which the shaders include. Defined on the prototype, since an
+ * accessor on each material would give it a slow hidden class, slowing three's reads of all materials.
  */
 function countChunks(prototype: ShaderMaterial): void {
   Object.defineProperty(prototype, 'version', {
@@ -81,7 +81,7 @@ function countChunks(prototype: ShaderMaterial): void {
   });
 }
 
-/** Material of a pass into a target of Farol's own, composed of microshaders: nothing of three's state changes its program. */
+/** Material of a pass into one of Farol's targets, composed of microshaders; no state of three's changes its program. */
 export class PassMaterial extends RawShaderMaterial {
   private readonly unfollow: () => void;
 

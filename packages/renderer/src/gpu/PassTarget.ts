@@ -8,7 +8,7 @@ export interface PassTargetOptions extends Omit<RenderTargetOptions, 'depthTextu
   readonly depthTexture?: boolean;
 }
 
-/** A render target of a pass, made and sized by `of`; nearest texels unless the options differ. */
+/** A render target of a pass, created and sized by `of`; with nearest filters by default. */
 export class PassTarget {
   private made: WebGLRenderTarget | null = null;
 

@@ -12,17 +12,17 @@ import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 
 /**
- * A texture of unsigned 32-bit words, filled from an array of the caller's. Grows; uploads the words in use, unless
- * they are of the version uploaded last.
+ * A texture of unsigned 32-bit words, filled from the caller's array. Grows; uploads the words in use if their version has
+ * changed.
  */
 export class WordTable {
   texture: DataTexture;
   /** Bytes uploaded by the last `upload`. */
   uploadedBytes = 0;
-  /** Version of the words that the texture has; -1 for none. */
+  /** Version of the words in the texture; -1 for none. */
   private version = -1;
 
-  /** @param channels - words in a texel, 1 or 4 */
+  /** @param channels - number of words in a texel, 1 or 4 */
   constructor(private readonly channels: 1 | 4) {
     this.texture = this.make(1, 1);
   }
@@ -36,7 +36,7 @@ export class WordTable {
    * Uploads the first rows.
    * @param words - row after row, at least width * rows * channels
    * @param width - texels in a row
-   * @param version - number of at least 0 that differs from that of the last upload if a word may differ
+   * @param version - number, at least 0, that differs from the last upload's if any word may have changed
    */
   upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number, version: number): void {
     const { image } = this.texture;
@@ -45,7 +45,7 @@ export class WordTable {
       this.texture.dispose();
       this.texture = this.make(made, withRoom(0, Math.ceil(rows * 1.25) + 1));
     }
-    // three knows no new texture, and forgets its textures when a lost context is restored
+    // three has no handle of a new texture, nor of any after a lost context is restored
     if (textureHandle(webgl, this.texture) === undefined) {
       webgl.initTexture(this.texture);
       this.version = -1;

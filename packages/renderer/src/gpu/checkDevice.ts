@@ -2,11 +2,11 @@ import type { WebGLRenderer } from 'three';
 
 /**
  * Checks that the device has WebGL 2 and the features that Farol needs.
- * @param floatTargets - whether targets of half float or float colour are drawn to
+ * @param floatTargets - whether half-float or float colour targets are needed
  * @throws Error that names what is missing and the mend
  */
 export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
-  // JavaScript hosts may pass anything; a WebGLRenderer has WebGL 2, in whatever window its canvas is
+  // JavaScript hosts may pass anything; not instanceof, since the canvas may be in another window
   if (!(webgl as { isWebGLRenderer?: boolean } | undefined)?.isWebGLRenderer)
     throw new Error('Farol: needs a WebGLRenderer with WebGL 2, not a WebGPURenderer.');
   const lacks = floatTargets ? lacksFloatTargets(webgl) : null;
@@ -15,8 +15,8 @@ export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
 }
 
 /**
- * Null where half float colour targets can be drawn to, else what "this device" does not do. A context that is lost has no
- * extensions, which says nothing of its device. three keeps the answers until the next loss: cheap enough for each frame.
+ * Null if half-float colour targets can be drawn to, else the end of a sentence "this device …". Also null for a lost context,
+ * which has no extensions. three caches extensions until the next loss: cheap enough for each frame.
  */
 export function lacksFloatTargets(webgl: WebGLRenderer): string | null {
   const { extensions } = webgl;
@@ -25,9 +25,9 @@ export function lacksFloatTargets(webgl: WebGLRenderer): string | null {
   return 'draws to no float colour buffers (EXT_color_buffer_float)';
 }
 
-/** Whether colours of 32-bit floats can be drawn to and blended. */
+/** Whether 32-bit float colour targets can be drawn to and blended. */
 export function blendsFloats(gl: WebGL2RenderingContext): boolean {
-  // some devices report float blending without float targets
+  // both, since some devices report float blending without float targets
   return gl.getExtension('EXT_color_buffer_float') !== null && gl.getExtension('EXT_float_blend') !== null;
 }
 

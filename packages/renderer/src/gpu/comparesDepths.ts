@@ -2,9 +2,7 @@ import type { Texture, WebGLRenderer } from 'three';
 import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 
-/**
- * Switches depth comparison in samplers of a depth texture on, or (`does` false) off, so that they return the depth.
- */
+/** Switches depth comparison of a depth texture on, or (`does` false) off, so that samplers return the depth. */
 export function comparesDepths(webgl: WebGLRenderer, texture: Texture, does: boolean): void {
   const gl = webgl.getContext() as WebGL2RenderingContext;
   bindTexture(webgl, gl.TEXTURE_2D, textureHandle(webgl, texture)!);

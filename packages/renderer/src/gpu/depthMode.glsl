@@ -1,4 +1,4 @@
-// How depth is stored: growing with distance, reversed, or logarithmic; and whether a pixel holds nothing.
+// Storage of depth (growing with distance, reversed, or logarithmic), and a test for empty pixels.
 // Farol; three.js's WebGLRenderer options reversedDepthBuffer and logarithmicDepthBuffer
 uniform highp vec2 farol_depthMode; // x: 1 if reversed, else 0; y: log2(far + 1) if logarithmic, else 0
 

@@ -1,4 +1,4 @@
-// A triangle that covers the viewport, its corners made from gl_VertexID.
+// A triangle that covers the viewport, with corners computed from gl_VertexID.
 // Bilodeau, Vertex Shader Tricks, GDC 2014
 //# main
 gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);

@@ -25,15 +25,15 @@ function texelBytes({ format, type }: Texture): number {
   return channels * (ONE_BYTE.includes(type) ? 1 : TWO_BYTES.includes(type) ? 2 : 4);
 }
 
-/** Bytes of a texel of depth: of a texture by its type, else 24 bits in four bytes; eight for stencil beside floats. */
+/** Bytes of a texel of depth: of a depth texture by its type, else four (24 bits); eight for float depth with stencil. */
 function depthBytes({ depthTexture, depthBuffer, stencilBuffer }: WebGLRenderTarget): number {
   if (depthTexture !== null) return TWO_BYTES.includes(depthTexture.type) ? 2 : stencilBuffer ? 8 : 4;
   return depthBuffer ? 4 : 0;
 }
 
 /**
- * Bytes of a render target on the GPU: textures, depth, and the samples of both where the target is multisampled.
- * @param ownsDepth - false for a target whose depth texture is another target's. Default true
+ * Bytes of a render target on the GPU: textures, depth, and both's samples if multisampled.
+ * @param ownsDepth - false if the depth texture belongs to another target. Default true
  */
 export function targetBytes(target: WebGLRenderTarget, ownsDepth = true): number {
   let color = 0;

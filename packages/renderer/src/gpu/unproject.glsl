@@ -1,4 +1,4 @@
-// View-space position from window depth, exact where depth is near 1: works with 1 - depth, which loses nothing.
+// View-space position from window depth, precise also near 1, since it uses 1 - depth.
 // Farol; uniforms by gpu/unprojectUniforms.ts; perspective, orthographic and off-centre projections
 #include "depthMode"
 uniform highp vec4 farol_unprojectZ; // view z = (x + y e) / (z + w e), e = 1 - depth, or reversed depth itself

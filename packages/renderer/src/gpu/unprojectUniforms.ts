@@ -1,7 +1,7 @@
 import { Vector2, Vector4, type Camera, type IUniform, type PerspectiveCamera, type WebGLRenderer } from 'three';
 import { isDepthReversed } from '../three/state';
 
-/** Uniforms of the chunk `unproject`, which finds positions from depth. */
+/** Uniforms of the chunk `unproject`, which computes positions from depth. */
 export interface UnprojectUniforms extends Record<string, IUniform> {
   farol_unprojectZ: IUniform<Vector4>;
   farol_unprojectXY: IUniform<Vector4>;
@@ -9,7 +9,7 @@ export interface UnprojectUniforms extends Record<string, IUniform> {
   farol_depthMode: IUniform<Vector2>;
 }
 
-/** Makes the uniforms of the chunk `unproject`, which finds positions from depth. */
+/** Makes the uniforms of the chunk `unproject`. */
 export function unprojectUniforms(): UnprojectUniforms {
   return {
     farol_unprojectZ: { value: new Vector4() },
@@ -19,9 +19,7 @@ export function unprojectUniforms(): UnprojectUniforms {
   };
 }
 
-/**
- * Far plane of logarithmic depth (m); 0 if depth is not logarithmic; three writes it for perspective projections alone.
- */
+/** Far plane of logarithmic depth (m); 0 if depth is not logarithmic. three uses it only with perspective projections. */
 export function logarithmicFar(camera: Camera, webgl: WebGLRenderer): number {
   const { isPerspectiveCamera, far } = camera as PerspectiveCamera;
   return webgl.capabilities.logarithmicDepthBuffer && isPerspectiveCamera ? far : 0;
@@ -32,7 +30,7 @@ export function setDepthMode({ value }: IUniform<Vector2>, camera: Camera, webgl
   value.set(isDepthReversed(webgl) ? 1 : 0, Math.log2(logarithmicFar(camera, webgl) + 1));
 }
 
-/** Sets the uniforms by the camera's projection, rounded to 32-bit floats, and the renderer's kind of depth. */
+/** Sets the uniforms from the camera's projection, rounded to 32-bit floats, and the renderer's kind of depth. */
 export function setUnprojectUniforms(uniforms: UnprojectUniforms, camera: Camera, webgl: WebGLRenderer): void {
   setDepthMode(uniforms.farol_depthMode, camera, webgl);
   const p = camera.projectionMatrix.elements;

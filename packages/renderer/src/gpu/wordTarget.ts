@@ -8,7 +8,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 
-/** Makes a target of whole numbers, by default four words of 32 bits a texel; of 1 × 1 texels at first. */
+/** Makes a target of unsigned integers, by default four words of 32 bits a texel; initially 1 × 1 texels. */
 export function wordTarget(
   format: PixelFormat = RGBAIntegerFormat,
   type: TextureDataType = UnsignedIntType,

@@ -4,18 +4,18 @@ import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 import { unpackAsIs } from '../three/unpackAsIs';
 
-/** Lights in each row of the field's texture. */
+/** Number of lights in each row of the field's texture. */
 const WIDTH = 128;
-/** Number of textures used in turn, so that none is written while the GPU may read it for an earlier frame. */
+/** Number of textures used in rotation, so that none is written while the GPU may read it for an earlier frame. */
 const TURNS = 3;
 
-/** One of the array's textures, with the version of the array that it holds. */
+/** One of the array's textures, and the version of the array that it holds. */
 interface Turn {
   readonly texture: DataTexture;
   uploadedVersion: number;
 }
 
-/** A LightArray on the GPU of one renderer: uploads only rows that changed. */
+/** Copy of a LightArray on one renderer's GPU; uploads only rows that changed. */
 export class FieldArray {
   /** Bytes uploaded by the last `upload`. */
   uploadedBytes = 0;
@@ -44,7 +44,7 @@ export class FieldArray {
     return this.texture.image.data!.byteLength * TURNS;
   }
 
-  /** Uploads those of the first rows that changed. @param rows - number of rows of 128 lights */
+  /** Uploads changed rows among the first `rows`. @param rows - number of rows of 128 lights in use */
   upload(webgl: WebGLRenderer, rows: number): void {
     this.webgl = webgl;
     this.uploadedBytes = 0;

@@ -7,11 +7,11 @@ interface Arrays {
   readonly spheres: FieldArray;
   readonly emissions: FieldArray;
   readonly cones: FieldArray | null;
-  /** Textures of the field, set anew for each frame. */
+  /** Textures of the field, set in each frame. */
   readonly sources: FieldSources;
 }
 
-/** Keeps each field's arrays as textures of one renderer, until the field is disposed. */
+/** Textures of each field's arrays for one renderer, kept until the field is disposed. */
 export class FieldArrays {
   private readonly known = new Map<LightField, Arrays>();
   private heldCount = 0;
@@ -31,7 +31,7 @@ export class FieldArrays {
     return spheres.uploadedBytes + emissions.uploadedBytes + (cones?.uploadedBytes ?? 0);
   }
 
-  /** Textures of a field's lights, once it is uploaded. */
+  /** Textures of a field's lights. Call after `upload`. */
   sourcesOf(field: LightField): FieldSources {
     const { textures } = field;
     if (textures !== null) {

@@ -3,7 +3,7 @@ import type { LightField } from './LightField';
 import { fieldCount } from '../lights/lightData';
 import { sphereCoverage } from '../lights/spheres';
 
-/** Number of lights sampled of a field, and of frames for which the result is kept. */
+/** Number of lights sampled from a field, and of frames for which the result is kept. */
 const SAMPLES = 64;
 const LASTS = 8;
 /** Initial range of depths, as base-2 logarithms: 1 to 64 m. */
@@ -24,11 +24,11 @@ interface Told {
  * them.
  */
 export class FieldDepths {
-  /** Depth (m) at which the slices begin, or its logarithm to base 2. */
+  /** Depth at which the slices begin (m), or its base-2 logarithm if `isLogarithmic`. */
   nearest = LEAST;
   extent = EXTENT;
   isLogarithmic = true;
-  /** Sum of the shares of the picture that lights cover. */
+  /** Mean number of lights over a pixel: sum of the shares of the picture that they cover. */
   coverage = 0;
   private readonly known = new WeakMap<LightField, Told>();
   private near = Infinity;

@@ -22,7 +22,7 @@ const BYTES = 3 * 16 + 2;
 
 const planes = new Float64Array(24);
 
-/** Textures that hold the lights of a field: of one size, `width` texels a row. */
+/** Textures that hold the lights of a field, all of one size, `width` texels a row. */
 export interface FieldSources {
   sphere: Texture | null;
   emission: Texture | null;
@@ -30,7 +30,7 @@ export interface FieldSources {
   width: number;
 }
 
-/** The lights of a frame's fields in view space, a texel a light, each field from a row of its own on. */
+/** The lights of a frame's fields in view space, a texel for each light; each field begins with a new row. */
 export class FieldLights {
   readonly target: WebGLRenderTarget = new WebGLRenderTarget(128, 1, {
     count: 4,
@@ -67,7 +67,7 @@ export class FieldLights {
     return this.target.width * this.target.height * BYTES;
   }
 
-  /** Begins a frame. @param rows - number of rows of 128 lights, of all fields */
+  /** Begins a frame. @param rows - number of rows of 128 lights in all fields */
   begin(frame: Frame, rows: number, depths: FieldDepths): void {
     const { target, uniforms } = this;
     if (target.height < rows) target.setSize(128, Math.ceil(rows * 1.25));
@@ -75,7 +75,7 @@ export class FieldLights {
     viewFrustumPlanes(camera.projectionMatrix.elements, planes);
     for (let i = 0; i < 6; i++) uniforms.farol_fieldPlanes.value[i].fromArray(planes, i * 4);
     uniforms.farol_fieldProjection.value.copy(camera.projectionMatrix);
-    // cells: the lowest and highest quarters of the slices reach to infinity
+    // four cells in depth, of which the first and last extend to infinity
     uniforms.farol_fieldDepths.value.set(depths.nearest, 4 / depths.extent, depths.isLogarithmic ? 1 : 0);
   }
 

@@ -35,8 +35,9 @@ interface Step {
 }
 
 /**
- * Light lists of the screen's tiles as LightTilesPass has them, where most lights are those of fields, sorted by cells: each
- * 32 lights have a box, by which blocks of 4 × 4 tiles leave most lights out unread, with depths those of the block too.
+ * Light lists of the screen's tiles, in the form of LightTilesPass, for lights of fields sorted by cells: each 32 lights have a
+ * bounding box, by which blocks of 4 × 4 tiles skip most lights without reading them, with depths also by the block's depth
+ * range.
  */
 export class FieldLists {
   private readonly passUniforms = {
@@ -74,7 +75,7 @@ export class FieldLists {
     target: wordTarget(RedIntegerFormat, UnsignedIntType, 'R32UI'),
   };
 
-  /** All passes but `slices`; their targets have four words of 32 bits a texel. */
+  /** All passes except `slices`; their targets have four words of 32 bits a texel. */
   private readonly steps: readonly Step[];
 
   constructor(
@@ -90,17 +91,17 @@ export class FieldLists {
   get bytes(): number {
     const { boxes, slices, steps } = this;
     let bytes = slices.target.width * slices.target.height * 4 + boxes.target.width * boxes.target.height * 16;
-    // twice for `boxes`, which is in `steps` too: its target has two attachments of 16 bytes a texel
+    // counts `boxes` again, since its target has two attachments of 16 bytes a texel
     for (let i = 0; i < steps.length; i++) bytes += steps[i].target.width * steps[i].target.height * 16;
     return bytes;
   }
 
   /**
-   * Makes the lists.
-   * @param first - record of the listed lights
+   * Draws the lists.
+   * @param first - first record of the listed lights
    * @param count - number of listed lights, at least 1
-   * @param plainQuads - number of first quads that hold plain point lights alone
-   * @param sliced - whether to find the quads of each slice of depth too
+   * @param plainQuads - number of quads, from the first on, with only plain point lights
+   * @param sliced - whether to draw the quads of each slice of depth too
    */
   draw(frame: Frame, first: number, count: number, plainQuads: number, sliced: boolean): void {
     const x = Math.ceil(frame.width / (1 << TILE_SHIFT));
@@ -127,7 +128,7 @@ export class FieldLists {
     draw(frame, this.blocks);
     fitGrids(this.fine.target, x, y, quads, shift);
     draw(frame, this.fine);
-    // made in any case, since loops bind the texture
+    // sized in any case, since light loops bind the texture
     fitGrids(this.summary.target, x, y, pages, pages > 1 ? shift : 0);
     draw(frame, this.summary);
     uniforms.farol_tileMask.value = this.fine.target.texture;

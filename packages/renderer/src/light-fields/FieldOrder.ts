@@ -19,18 +19,16 @@ import type { Frame } from '../frame/Frame';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import { PassMaterial } from '../gpu/PassMaterial';
 
-/** Number of cells of the view, and one for lights that are put out. */
+/** Number of cells of the view, plus one for lights without effect. */
 const CELLS = 129;
 
-/**
- * Shared by all renderers of the page, as the triangle of FullscreenMesh is; its draw range is set before each draw.
- */
+/** Geometry shared by all renderers of the page; its draw range is set before each draw. */
 const vertexless = /* @__PURE__ */ new BufferGeometry();
 
 /**
- * Sorts the lights of fields by cells of the view, so that lights of a quad of 128 are near each other: by counting, in four
- * draws of points and triangles. Counts of a row of 128 lights by cell; sums of the rows before; sums of the cells before;
- * then each light is a point at its place: these sums, and the lights of its cell before it in its row.
+ * Sorts the lights of fields by cells of the view, so that the 128 lights of a quad are near each other: a counting sort in four
+ * draws. The lights of each cell in each row of 128 are counted; counts are summed over earlier rows, then over earlier cells;
+ * then each light is drawn as a point at its sorted index, which is these sums plus the lights of its cell before it in its row.
  */
 export class FieldOrder {
   private readonly counts = target(HalfFloatType);
@@ -66,7 +64,7 @@ export class FieldOrder {
     this.points.frustumCulled = false;
   }
 
-  /** Numbers of the lights in sorted order, 128 a row. */
+  /** Indices of the lights in sorted order, 128 a row. */
   get texture(): Texture {
     return this.order.texture;
   }
@@ -76,7 +74,7 @@ export class FieldOrder {
     return counts.width * counts.height * 2 + befores.width * befores.height * 4 + order.width * order.height * 4;
   }
 
-  /** Links the programs, so that no later frame waits for them. */
+  /** Compiles the programs, so that no later frame waits for them. */
   compile(frame: Frame): void {
     if (this.isCompiled) return;
     this.isCompiled = true;

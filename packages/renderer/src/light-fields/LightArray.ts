@@ -1,12 +1,12 @@
-/** Lights in a row of the texture; the values of a row are uploaded together. */
+/** Number of lights in a row of the texture; the values of a row are uploaded together. */
 const ROW = 128;
 
 /**
- * Four numbers for each light of a LightField, with versions by row. Call `update` after writing to `array`; each
- * renderer then uploads the rows of 128 lights that have changed for it.
+ * Four numbers for each light of a LightField, with a version for each row. Call `update` after writing to `array`; each
+ * renderer then uploads the rows of 128 lights changed since its last upload.
  */
 export class LightArray {
-  /** Numbers of the lights, [capacity, 4]. */
+  /** Values of the lights, [capacity, 4]. */
   readonly array: Float32Array<ArrayBuffer>;
   /** Version in which each row last changed. */
   private readonly rows: Uint32Array;
@@ -17,7 +17,7 @@ export class LightArray {
   /** @param capacity - number of lights */
   constructor(capacity: number) {
     const rows = Math.ceil(capacity / ROW);
-    // the texture has whole rows
+    // rounded up to whole rows of the texture
     this.array = new Float32Array(rows * ROW * 4);
     this.rows = new Uint32Array(rows).fill(1);
   }
@@ -40,7 +40,7 @@ export class LightArray {
     this.rows[light >> 7] = this.newest = this.version;
   }
 
-  /** Whether one of the first rows changed after version `seen`. */
+  /** Whether one of the first `rows` changed after version `seen`. */
   hasChanged(seen: number, rows: number): boolean {
     if (this.newest <= seen) return false;
     for (let row = 0; row < rows; row++) if (this.rows[row] > seen) return true;
@@ -48,9 +48,9 @@ export class LightArray {
   }
 
   /**
-   * Calls `send` for each run of the first rows that changed after version `seen`.
-   * @param seen - what the last call for the same copy returned
-   * @returns the version that the copy then has
+   * Calls `send` for each run among the first `rows` that changed after version `seen`.
+   * @param seen - version returned by the last call for the same copy
+   * @returns the version of the copy after the call
    */
   changes(seen: number, rows: number, send: (first: number, rows: number) => void): number {
     const versions = this.rows;
@@ -66,7 +66,7 @@ export class LightArray {
     return this.version++;
   }
 
-  /** @returns the version that a copy of the whole array has */
+  /** @returns the version of a copy of the whole array */
   whole(): number {
     return this.version++;
   }

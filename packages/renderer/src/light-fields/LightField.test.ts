@@ -84,6 +84,6 @@ describe('a light field', () => {
     expect(() => new LightField(2).setCone(0, 0, 1, 0, 1)).toThrow('make the field with { spots: true }');
     const textures = { sphere: new Texture(), emission: new Texture() };
     expect(() => new LightField(2, { textures }).setRange(0, 1)).toThrow('in textures; write those');
-    expect(() => new LightField(2).copy(new LightField(3))).toThrow('clone() the field');
+    expect(() => new LightField(2).copy(new LightField(3))).toThrow('use clone()');
   });
 });

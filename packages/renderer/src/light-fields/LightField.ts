@@ -5,23 +5,22 @@ import type { LightTextures } from './LightTextures';
 
 /** Options of the constructor of LightField. */
 export interface LightFieldOptions {
-  /** Whether some of the lights are spot lights. Default false: memory and shaders for point lights alone. */
+  /** Whether some of the lights are spot lights. Default false: memory and shaders only for point lights. */
   spots?: boolean;
-  /** Lights that the GPU writes, in place of arrays. Default null. */
+  /** Textures with lights that the GPU writes, in place of arrays. Default null. */
   textures?: LightTextures | null;
 }
 
-/** Greatest number of lights of a field. */
+/** Maximum number of lights of a field. */
 const MOST = 2 ** 18;
 
 /**
- * Many point and spot lights as data: to PointLight and SpotLight what InstancedMesh is to Mesh. FarolRenderer draws
- * them like as many lights of three's, by every technique, at no cost per light on the CPU; stock three ignores them.
- *
- * Positions and directions are in the space of the field, which `matrixWorld` moves; ranges are in metres whatever its
- * scale, as those of three's lights are. `color` and `intensity` of the field (default white, 1) are factors of all its
- * lights. A light with a range of 0 or less, or with a value that is not a finite number, lights nothing. Lights of a
- * field have neither shadows, cookies nor layers of their own, and none is without a range.
+ * Many point and spot lights as data: to PointLight and SpotLight what InstancedMesh is to Mesh. FarolRenderer draws them
+ * like as many lights of three's, with every technique, at no CPU cost per light; stock three ignores them. Positions and
+ * directions are in the space of the field, which `matrixWorld` transforms; ranges are in metres at any scale, as for
+ * three's lights. `color` and `intensity` of the field (default white, 1) multiply all its lights. A light with a range
+ * of 0 or less, or with a value that is not a finite number, gives no light. Lights of a field have no shadows, cookies
+ * or layers, and must have a range.
  *
  * @example
  * const field = new LightField(10_000);
@@ -33,27 +32,26 @@ const MOST = 2 ** 18;
 export class LightField extends Light {
   readonly isLightField = true;
   override readonly type = 'LightField';
-  /** Number of lights that there is room for. */
+  /** Maximum number of lights of this field. */
   readonly capacity: number;
-  /** Number of lights drawn, from the first on: at most `capacity`, the default. */
+  /** Number of lights drawn, from the first on. At most, and by default, `capacity`. */
   override count: number;
   /** Position in the field's space (m), range (m) of each light. Empty where `textures` are given. */
   readonly spheres: LightArray;
   /** Linear colour times intensity (cd), decay of each light. */
   readonly emissions: LightArray;
   /**
-   * Four numbers for each light: the direction in which it shines, in the field's space, of the length 2 + the cosine
-   * of the angle from which on it fades (angle × (1 - penumbra)); cosine of its angle. Zeros: a point light. Null
-   * without `spots`.
+   * Four numbers for each light: xyz: direction of its light, in the field's space, with the length 2 + cosine of the angle
+   * where it begins to fade (angle × (1 - penumbra)); w: cosine of its angle. Zeros: a point light. Null without `spots`.
    */
   readonly cones: LightArray | null;
-  /** Textures that hold the lights in place of the arrays; null when the arrays do. May be replaced. */
+  /** Textures with the lights, in place of the arrays; null to use the arrays. May be replaced. */
   textures: LightTextures | null;
 
   /**
    * Starts to fetch the code that draws fields.
-   * @param capacity - lights, at most 262,144
-   * @throws RangeError when there is no room for so many
+   * @param capacity - maximum number of lights, at most 262,144
+   * @throws RangeError for other capacities
    */
   constructor(capacity: number, options: LightFieldOptions = {}) {
     super(0xffffff, 1);
@@ -70,7 +68,7 @@ export class LightField extends Light {
   }
 
   /**
-   * Makes a light a point light.
+   * Sets a light to a point light.
    * @param r - linear colour times intensity (cd), with g and b
    * @throws RangeError when there is no such light
    */
@@ -92,10 +90,10 @@ export class LightField extends Light {
   }
 
   /**
-   * Makes a light that was set by `setPoint` a spot light.
-   * @param x - direction in which it shines, in the field's space, of any length but 0, with y and z
-   * @param angle - from the direction to the edge of the cone (rad), above 0 and at most π / 2
-   * @param penumbra - 0 to 1
+   * Turns a light that was set by `setPoint` into a spot light.
+   * @param x - direction of its light, in the field's space, of any length above 0, with y and z
+   * @param angle - angle from the direction to the edge of the cone (rad), above 0 and at most π / 2
+   * @param penumbra - faded share of the angle, 0 to 1
    * @throws RangeError when there is no such light; Error when the field was made without `spots`
    */
   setCone(light: number, x: number, y: number, z: number, angle: number, penumbra = 0): void {
@@ -118,7 +116,7 @@ export class LightField extends Light {
     this.emissions.set(light, r, g, b, this.emissions.array[light * 4 + 3]);
   }
 
-  /** Sets the range of a light (m); 0 puts it out. @throws RangeError when there is no such light */
+  /** Sets the range of a light (m); 0 switches it off. @throws RangeError when there is no such light */
   setRange(light: number, range: number): void {
     this.check(light);
     const { array } = this.spheres;
@@ -131,10 +129,12 @@ export class LightField extends Light {
     return clone.copy(this, recursive);
   }
 
-  /** Copies another field of the same capacity. @throws RangeError when it has another one */
+  /** Copies another field of the same capacity. @throws RangeError when capacities differ */
   override copy(source: this, recursive?: boolean): this {
     if (source.capacity !== this.capacity)
-      throw new RangeError(`LightField: copy() of ${source.capacity} lights to ${this.capacity}; clone() the field.`);
+      throw new RangeError(
+        `LightField: copy() from capacity ${source.capacity} to ${this.capacity}; use clone() instead.`,
+      );
     super.copy(source, recursive);
     this.count = source.count;
     this.textures = source.textures;

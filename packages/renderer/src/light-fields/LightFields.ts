@@ -21,20 +21,17 @@ const CLUSTERS: LightLists = { loop: 'lightLoopSlices', defines: {} };
 const sliceTwins = forwardTwins('lightLoopSlices');
 
 /**
- * The lights of LightFields in the frames of one renderer. The CPU does nothing for a light.
+ * The lights of LightFields in the frames of one renderer. The CPU does no work for single lights.
  *
- *     arrays, sent by rows ─┐
- *                           ├─> FieldLights: view space, culled ─> FieldOrder: by cells of the view ─┐
- *     textures of the GPU ──┘                                                                        │
- *     records of the CPU's lights ───────────────────────────────> fieldRecords: the light table <───┘
- *                                                                        │
- *                            FieldLists: boxes of 32 lights ─> blocks of 4 × 4 tiles ─> tiles, 1 bit a light
+ * arrays, sent by rows ─┐ ├─> FieldLights: view space, culled ─> FieldOrder: by cells of the view ─┐ textures of the GPU ──┘ │
+ * records of the CPU's lights ───────────────────────────────> fieldRecords: the light table <───┘ │ FieldLists: boxes of 32
+ * lights ─> blocks of 4 × 4 tiles ─> tiles, 1 bit a light
  *
- * Shaders read one table as ever: records of fields lie in the run of lights with a range, after the plain point lights
- * or, where fields have spot lights, after all ("slots", in whole rows of 128). What is put out (no range, no number, out
- * of view) is a light of no colour far away. Tiled techniques have lists of tiles; clustered ones lists of tiles without
- * depths, and which quads of 128 lights reach into which of 256 slices of depth; techniques with volumes draw an
- * icosahedron a light; multipass lighting adds all fields in one draw an object, by lists of tiles.
+ * Shaders still read one light table: records of fields are among those of lights with a range, after the plain point lights or,
+ * if fields have spot lights, after all ("slots", in whole rows of 128). Lights without effect (no range, NaN, out of view)
+ * become black lights far away. Tiled techniques read lists by tile; clustered ones lists by tile without depth, and for each of
+ * 256 slices of depth the quads of 128 lights that reach it; techniques with volumes draw an icosahedron for each light;
+ * multipass lighting adds all fields in one draw for each object, by lists of tiles.
  * @see Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering
  */
 export class LightFields implements FieldDraws {
@@ -66,7 +63,7 @@ export class LightFields implements FieldDraws {
   isDrawn = false;
   count = 0;
 
-  /** @param slices - uniforms of slices, shared by the renderer */
+  /** @param slices - uniforms of slices, shared with the renderer's programs */
   constructor(
     private readonly frame: Frame,
     private readonly slices: FieldSlices,
@@ -193,7 +190,7 @@ function warnOfShadow(field: LightField): void {
   );
 }
 
-/** Rows of 128 lights of a field, at least one: a field without lights keeps its place in shaders and tables. */
+/** Number of rows of 128 lights of a field, at least one, also for a field without lights. */
 function rowsOf(field: LightField): number {
   return Math.max(1, Math.ceil(fieldCount(field) / 128));
 }

@@ -1,17 +1,17 @@
 import type { Texture } from 'three';
 
 /**
- * Lights of a LightField as textures that the GPU may write, a texel a light, row after row: light `i` is texel
- * `(i % width, floor(i / width))`. All have one size. Nearest texels are read; filters and mipmaps do not matter.
+ * Lights of a LightField as textures that the GPU may write, a texel for each light, row by row: light `i` is texel
+ * `(i % width, floor(i / width))`. All have one size. Single texels are read; filters and mipmaps have no effect.
  */
 export interface LightTextures {
-  /** RGBA32F: position in the field's space, range (m); a range of 0 or less, or a value that is no number: no light. */
+  /** RGBA32F: position in the field's space, range (m); a range of 0 or less, or a NaN: no light. */
   sphere: Texture;
-  /** RGBA32F or RGBA16F: linear colour times intensity (cd), decay as three has it. */
+  /** RGBA32F or RGBA16F: linear colour times intensity (cd), three's `decay`. */
   emission: Texture;
   /**
-   * RGBA32F: direction in which a spot light shines, in the field's space, of the length 2 + the cosine of the angle from
-   * which on it fades (angle × (1 - penumbra)); cosine of its angle. Zeros: a point light. Default: all are point lights.
+   * RGBA32F: xyz: direction of a spot light's light, in the field's space, with the length 2 + cosine of the angle where it
+   * begins to fade (angle × (1 - penumbra)); w: cosine of its angle. Zeros: a point light. Default: all are point lights.
    */
   cone?: Texture | null;
 }

@@ -1,4 +1,4 @@
-// Number of lights of each cell in the rows before each row; in the last row, of all lights of the cell.
+// For each row and cell, the number of the cell's lights in earlier rows; in the last row, in all rows.
 // Knuth 1998, The Art of Computer Programming 3, 5.2: sorting by counting
 uniform highp sampler2D farol_fieldCounts;
 layout(location = 0) out highp vec4 farol_fieldBefore;

@@ -1,6 +1,6 @@
-// Bits of the lights, of 128, that touch a block of 4 × 4 tiles: boxes of 32 lights are tested first, then the lights
-// in boxes that touch it; with FAROL_BLOCK_DEPTH within the depths of the block.
-// Farol; Olsson and Assarsson 2011, Tiled Shading
+// Bits of the lights, among 128, that touch a block of 4 × 4 tiles: tests boxes of 32 lights, then the lights in
+// boxes that touch the block; with FAROL_BLOCK_DEPTH also against the block's depths. Farol; Olsson and Assarsson
+// 2011, Tiled Shading
 #include "tileMask"
 uniform highp sampler2D farol_boxLows;
 uniform highp sampler2D farol_boxHighs;
@@ -23,7 +23,7 @@ vec2 farol_blockRange(const in ivec2 block) {
   return range;
 }
 
-// sign of a box's extent inside the four sides of a block; below 0: outside
+// below 0 if a box is outside of one of the four sides of a block
 float farol_insideSides(const in FarolTile tile, const in vec4 low, const in vec3 high) {
   vec2 k = mix(vec2(1.0), vec2(-low.w, -low.z), farol_perspective);
   vec4 nearK = tile.slopes * k.x;
@@ -40,7 +40,7 @@ bool farol_reaches(const in FarolTile tile, const in vec2 range, const in vec4 s
 uint farol_inBlock(const in FarolTile tile, const in vec2 range, const in int start) {
   uint touching = 0u;
   int end = min(32, farol_tileRun.y - start);
-  // two lights a step, so that their reads overlap
+  // two lights in each step, so that their texture reads overlap
   for (int i = 0; i < end; i += 2) {
     int other = min(i + 1, end - 1);
     vec4 sphere = farol_lightSphere(farol_tileRun.x + start + i);

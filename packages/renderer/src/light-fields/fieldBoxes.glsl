@@ -1,5 +1,5 @@
-// The box round the ranges of each 32 lights of the lists, view space: a texel for 32, four for a quad of 128.
-// Farol
+// Bounding box (view space) of the ranges of each 32 lights of the lists: a texel for 32 lights, four for a quad of
+// 128. Farol
 #include "lightTable"
 #include "lightTiles"
 layout(location = 0) out highp vec4 farol_boxLow; // xyz: low corner (m), w: z of the high corner
@@ -11,9 +11,9 @@ vec3 low = vec3(1e30);
 vec3 high = vec3(-1e30);
 for (int light = start; light < end; light++) {
   vec4 sphere = farol_lightSphere(farol_tileRun.x + light);
-  // lights without effect lie beyond this (fieldLight.glsl)
+  // skips lights without effect, which are placed beyond (fieldLight.glsl)
   if (sphere.x < 1e14) {
-    // widened for rounding, as in the tests of single lights
+    // widened by rounding errors, as in the tests of single lights
     low = min(low, sphere.xyz - sphere.w * 1.001);
     high = max(high, sphere.xyz + sphere.w * 1.001);
   }

@@ -1,4 +1,4 @@
-// Counts the lights of each cell in each row of 128 lights: one point a light, blended additively.
+// Counts the lights of each cell in each row of 128 lights: draws a point for each light, blended additively.
 // Knuth 1998, The Art of Computer Programming 3, 5.2: sorting by counting
 uniform highp sampler2D farol_fieldCells;
 uniform highp vec2 farol_fieldCountSize;

@@ -1,19 +1,20 @@
-// Brings the lights of a field into view space, a texel a light; lights without effect or out of view get range 0.
-// Farol
+// Transforms the lights of a field to view space, a texel for each light; lights without effect or out of view get
+// range 0. Farol
 uniform highp sampler2D farol_fieldSpheres;
 uniform highp sampler2D farol_fieldEmissions;
 uniform highp sampler2D farol_fieldCones;
-// x: lights; y: first row of the target; z: lights a row of the textures; w: 1 if cones are set
+// x: number of lights; y: first row of the target; z: lights in a row of the textures; w: 1 if cones are set
 uniform highp ivec4 farol_fieldRun;
 uniform highp mat4 farol_fieldMatrix; // transform from the field's space to view space
 uniform highp vec3 farol_fieldColor;
 uniform highp vec4 farol_fieldPlanes[6]; // planes of the view frustum (view space), normals inward
 uniform highp mat4 farol_fieldProjection;
-uniform highp vec3 farol_fieldDepths; // x: depth at which cells begin (m, or its log2); y: cells a unit; z: 1 if log2
+uniform highp vec3 farol_fieldDepths; // x: depth of the first cell (m, or its log2); y: cells a unit; z: 1 if log2
 layout(location = 0) out highp vec4 farol_fieldSphere;
 // rgb: linear colour times intensity (cd); a: decay, coded as in lights/lightRecord.ts
 layout(location = 1) out highp vec4 farol_fieldEmission;
-// xyz: axis to the light, its length 2 + cosine where the penumbra begins; w: cosine of the cutoff; 0 for a point light
+// xyz: axis towards the light, with length 2 + cosine where the penumbra begins; w: cosine of the cutoff; 0: point
+// light
 layout(location = 2) out highp vec4 farol_fieldCone;
 layout(location = 3) out highp vec4 farol_fieldCell;
 
@@ -33,7 +34,7 @@ float farol_cellOf(const in vec3 positionVS) {
 //# main
 ivec2 texel = ivec2(gl_FragCoord.xy);
 int light = ((texel.y - farol_fieldRun.y) << 7) + texel.x;
-// a light without effect is put far from everything
+// a light without effect is placed far from everything
 farol_fieldSphere = vec4(1e15, 0.0, 0.0, 1.0);
 farol_fieldEmission = vec4(0.0, 0.0, 0.0, 2.0);
 farol_fieldCone = vec4(0.0);

@@ -1,4 +1,4 @@
-// Writes 1, so that blending counts what is drawn.
+// Writes 1, so that blending counts the draws of a pixel.
 // Farol
 layout(location = 0) out highp vec4 farol_one;
 //# main

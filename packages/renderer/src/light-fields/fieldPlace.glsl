@@ -1,4 +1,4 @@
-// Sorts lights by cells: one point a light, drawn at its sorted place, its colour the light's number.
+// Sorts lights by cells: draws a point for each light at its sorted index, with the light's number as colour.
 // Knuth 1998, The Art of Computer Programming 3, 5.2: sorting by counting
 uniform highp sampler2D farol_fieldCells;
 uniform highp sampler2D farol_fieldBefores;

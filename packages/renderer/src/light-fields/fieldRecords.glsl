@@ -1,11 +1,11 @@
-// Makes the light table that shaders read: records that the CPU wrote, with those of light fields among them.
+// Writes the light table that shaders read: the CPU's records, and those of light fields inserted among them.
 // Farol; layout in lights/lightRecord.ts
 uniform highp sampler2D farol_hostTable;
 uniform highp sampler2D farol_fieldSpheres;
 uniform highp sampler2D farol_fieldEmissions;
 uniform highp sampler2D farol_fieldCones;
 uniform highp sampler2D farol_fieldOrder;
-uniform highp ivec3 farol_fieldSlots; // x: first record of fields; y: their number; z: 1 if farol_fieldOrder applies
+uniform highp ivec3 farol_fieldSlots; // x: first record of fields; y: number of these; z: 1 to read farol_fieldOrder
 layout(location = 0) out highp vec4 farol_texel;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy);

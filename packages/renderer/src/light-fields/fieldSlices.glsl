@@ -6,7 +6,7 @@ uniform highp sampler2D farol_boxLows;
 layout(location = 0) out highp uvec4 farol_slice;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy);
-// range of this slice, widened for rounding; the outer slices reach to infinity
+// range of this slice, widened by rounding errors; the outer slices extend to infinity
 float from = at.x == 0 ? -1e30 : float(at.x) - 0.05;
 float to = at.x == 255 ? 1e30 : float(at.x) + 1.05;
 uint bits = 0u;

@@ -1,2 +1,2 @@
-/** `tell` is called when a LightField is made; the renderer sets it, to fetch the code that draws fields. */
+/** Hook for new LightFields: the renderer sets `tell`, which fetches the code that draws fields. */
 export const lightFieldMade = { tell: (): unknown => null };

@@ -1,4 +1,4 @@
-// Light loop over the list of the pixel's tile alone: the lights of fields, in multipass lighting.
+// Light loop of multipass lighting over only the list of the pixel's tile, which holds the lights of fields.
 // Olsson and Assarsson 2011, Tiled Shading
 #include "lightLoopTiled"
 

@@ -1,11 +1,11 @@
-// Light loop over the pixel's cluster where there are fields of lights: of its tile's list, the quads of 128 lights
-// that reach into the slice of its depth.
-// Olsson, Billeter and Assarsson 2012, Clustered Deferred and Forward Shading; Drobot 2017 (z-binning)
+// Light loop over the pixel's cluster in scenes with light fields: quads of 128 lights that are in its tile's list
+// and reach the slice of its depth. Olsson, Billeter and Assarsson 2012, Clustered Deferred and Forward Shading;
+// Drobot 2017 (z-binning)
 #include "lightTileLists"
 #include "lightSlice"
 uniform highp usampler2D farol_sliceQuads;
 
-// quads of a page of the tile's list that reach into the slice
+// bits of the quads in one page of the tile's list that reach the slice
 uvec4 farol_sliceOf(const in ivec2 tile, const in int page, const in int slice) {
   uvec4 filled = farol_summaryOf(tile, page);
   for (int i = 0; i < 4; i++) {

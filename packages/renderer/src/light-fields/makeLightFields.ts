@@ -17,14 +17,14 @@ export function makeLightFields(frame: Frame): LightFields | null {
   if (gl.getExtension('EXT_color_buffer_float') === null) {
     if (!reported.has(gl) && !gl.isContextLost())
       console.warn(
-        `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws to half floats alone'}: LightFields light nothing; use three's lights.`,
+        `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws only to half floats'}, so LightFields give no light; use three's lights.`,
       );
     if (!gl.isContextLost()) reported.add(gl);
     return null;
   }
   addMicroShaders(microshaders, 'light-fields', microShaders);
   const uniforms = frame.uniforms as typeof frame.uniforms & Partial<FieldSlices>;
-  // uniforms of twins that are made later
+  // added to the shared uniforms, for twins made later
   if (uniforms.farol_fieldSlices === undefined) Object.assign(uniforms, fieldSlices());
   return new LightFields(frame, uniforms as FieldSlices);
 }

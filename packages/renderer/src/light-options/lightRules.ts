@@ -1,6 +1,6 @@
 import type { LightOptions } from './LightOptions';
 
-/** Kinds of lights, as three's flags name them: `isPointLight`. */
+/** Kinds of lights, named as in three's flags: `isPointLight`. */
 export type LightKind = 'DirectionalLight' | 'PointLight' | 'SpotLight' | 'RectAreaLight';
 
 export type LightOptionName = keyof LightOptions;
@@ -8,7 +8,7 @@ export type LightOptionName = keyof LightOptions;
 interface LightRule {
   /** Kinds of lights that have the option. */
   readonly kinds: readonly LightKind[];
-  /** Values that are allowed, as the end of "give …". */
+  /** Allowed values, in words that follow "give". */
   readonly allows: string;
   isAllowed(value: unknown): boolean;
 }
@@ -35,7 +35,7 @@ const colour = '[r, g, b], linear, each at least 0';
 const SHAPES = ['rectangle', 'disc', 'tube'];
 
 /**
- * Kinds of lights and allowed values of each option. No call at the top: a bundler leaves the table out where nothing
+ * Kinds of lights and allowed values of each option. No call at the top level, so that bundlers can drop the table where nothing
  * is checked.
  */
 export const lightRules: Readonly<Record<LightOptionName, LightRule>> = {

@@ -6,9 +6,9 @@ import type { LightOptions } from './LightOptions';
 import { type LightOptionName, lightRules } from './lightRules';
 
 /**
- * Sets properties of a light for which three has none; options that are left out stay as they are, those that are
- * undefined become their default. All but textures is kept as JSON at `light.userData.farol`, which is read anew in
- * each frame: scenes that were loaded have it back. Starts to fetch the code that draws such lights.
+ * Sets properties of a light that three's lights lack; absent options keep their value, undefined ones get their default.
+ * Everything except textures is stored as JSON at `light.userData.farol`, so it is saved and loaded with the scene, and
+ * is read in each frame. Starts to fetch the code that draws such lights.
  *
  * @example
  * setLightOptions(lamp, { shape: 'tube', range: 6 });
@@ -22,7 +22,7 @@ export function setLightOptions(light: Light, options: LightOptions): void {
   storeLightOptions(light, options);
 }
 
-/** As `setLightOptions`, without its checks and their code: for values that were checked before, such as an engine's fields. */
+/** Like `setLightOptions`, without its checks and their code: for values already checked, such as an engine's fields. */
 export function storeLightOptions(light: Light, options: LightOptions): void {
   const { cookie, profile, ...values } = options;
   if ('cookie' in options) storeTexture(light, 'farolMap', cookie);

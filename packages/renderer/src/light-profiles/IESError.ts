@@ -1,9 +1,9 @@
-/** Error in a file of photometric data, with its line. */
+/** Error in a photometric file, with its line. */
 export class IESError extends Error {
   /** @param line - line of the file, from 1 */
   constructor(
     readonly line: number,
-    /** Sentence that says what is wrong, and what to write there. */
+    /** Sentence on what is wrong, and what to write instead. */
     readonly problem: string,
   ) {
     super(`Line ${line}: ${problem}`);

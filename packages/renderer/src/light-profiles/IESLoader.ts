@@ -3,11 +3,11 @@ import { parseIES, tiltFileOf } from './parseIES';
 import { PhotometricProfile } from './PhotometricProfile';
 
 /**
- * Loads photometric files (.ies) of the LM-63 standard, of any edition from 1986 to 2019, of types A, B and C. A file that
- * `TILT=` names is loaded from beside it.
+ * Loads photometric files (.ies) of the LM-63 standard, of any edition from 1986 to 2019, of types A, B and C. A file named by
+ * `TILT=` is loaded from the same folder.
  */
 export class IESLoader extends Loader<PhotometricProfile> {
-  /** Tilt of the luminaire from the position in which it was measured (degrees), for files that say how lamps tilt. */
+  /** Tilt of the luminaire from the position in which it was measured (degrees), for files with a tilt table. */
   tilt = 0;
 
   override load(
@@ -39,7 +39,7 @@ export class IESLoader extends Loader<PhotometricProfile> {
         const beside = tiltFileOf(text as string);
         if (beside === null) tell(null);
         else {
-          // from the same folder alone, whatever path is written in the file
+          // only from the same folder: ignores any path in the file
           const name = encodeURIComponent(
             beside.slice(Math.max(beside.lastIndexOf('/'), beside.lastIndexOf('\\')) + 1),
           );
@@ -60,7 +60,7 @@ export class IESLoader extends Loader<PhotometricProfile> {
 
   /**
    * @param text - text of the file
-   * @param tilt - text of the file that `TILT=` names, if it names one
+   * @param tilt - text of the file named by `TILT=`; null for none
    * @throws IESError with the wrong line, and what to write there
    */
   parse(text: string, tilt: string | null = null): PhotometricProfile {

@@ -3,7 +3,7 @@ import { IESError } from './IESError';
 /** Longest piece of a file that a message quotes (characters). */
 const QUOTED = 20;
 
-/** Reads the numbers of a photometric file one by one, whichever way they are spread over lines. */
+/** Reads the numbers of a photometric file one by one, across line breaks. */
 export class NumberReader {
   /** Line of the last number read, from 1. */
   line: number;
@@ -34,14 +34,14 @@ export class NumberReader {
     }
     const word = this.words[this.word++];
     const value = Number(word);
-    // the pattern last: it takes time by the square of digits that end in something else
+    // the pattern is tested last: its time is quadratic in the length of malformed digits
     if (!Number.isFinite(value) || !/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(word)) {
       throw new IESError(this.line, `"${word.slice(0, QUOTED)}" is not a number; write ${what} there.`);
     }
     return value;
   }
 
-  /** The next number, which must be whole. @throws IESError when it is not, or not from least to most */
+  /** The next number, which must be whole. @throws IESError for other numbers, or ones outside of `least` to `most` */
   count(what: string, least: number, most: number): number {
     const value = this.number(what);
     if (!Number.isInteger(value) || value < least || value > most) {

@@ -14,9 +14,9 @@ import { interpolate } from './interpolate';
 const RADIANS = Math.PI / 180;
 
 /**
- * The light of a luminaire by direction, in the frame of `setLightOptions`: vertical angle 0 is down, horizontal angle 0 is
- * across. Of a file of type B, vertical angles turn from down to across, and horizontal angles are clockwise, as the standard
- * has them; one of type A, whose luminaires aim level, is turned so that it aims down.
+ * The light of a luminaire by direction, in the frame of `setLightOptions`: vertical angle 0 is down, horizontal angle 0
+ * is across. In a file of type B, vertical angles go from down to across, and horizontal angles clockwise, as in the
+ * standard; one of type A, for luminaires that aim horizontally, is turned to aim down.
  *
  * @example
  * const profile = await new IESLoader().loadAsync('downlight.ies');
@@ -26,15 +26,15 @@ const RADIANS = Math.PI / 180;
 export class PhotometricProfile {
   readonly isPhotometricProfile = true;
   name = '';
-  /** Intensity in the brightest direction (cd); 1 in the texture. */
+  /** Intensity in the brightest direction (cd), which is 1 in the texture. */
   readonly maximumIntensity: number;
-  /** Share of their light that lamps give at the tilt. */
+  /** Factor on the lamps' light at this tilt. */
   readonly tiltFactor: number;
   private made: DataTexture | null = null;
 
   /**
-   * @param tilt - tilt of the luminaire from the position in which it was measured (degrees), for lamps that give less
-   * light tilted
+   * @param tilt - tilt of the luminaire from the position in which it was measured (degrees), for lamps that give less light
+   *   when tilted
    */
   constructor(
     readonly data: PhotometricData,
@@ -46,7 +46,7 @@ export class PhotometricProfile {
     this.maximumIntensity = most * this.tiltFactor;
   }
 
-  /** True where the light is the same at all horizontal angles. */
+  /** True if the light is equal at all horizontal angles. */
   get isRotational(): boolean {
     return this.data.type === 'C' && this.data.horizontalAngles.length === 1;
   }
@@ -76,8 +76,8 @@ export class PhotometricProfile {
   }
 
   /**
-   * Intensities as parts of `maximumIntensity`, for `LightOptions` (and three's IESSpotLight): half floats, one row where
-   * the light is the same all round. Made when first asked for; dispose of it with the profile.
+   * Intensities as shares of `maximumIntensity`, for `LightOptions` (and three's IESSpotLight): half floats, one row if
+   * `isRotational`. Created by the first read; the profile's `dispose` disposes it.
    */
   get texture(): DataTexture {
     return (this.made ??= this.makeTexture());
@@ -116,13 +116,13 @@ export class PhotometricProfile {
     if (last === first) return this.fileAt(vertical, first);
     let at = turned;
     if (first === 90) {
-      // the half from 90 to 270 is mirrored in the plane of both
+      // angles from 90 to 270 are mirrored in the plane of 90 and 270
       at = turned < 90 ? 180 - turned : turned > 270 ? 540 - turned : turned;
     } else if (last <= 180) {
       if (at > 180) at = 360 - at;
       if (last === 90 && at > 90) at = 180 - at;
     } else if (at > last) {
-      // the plane at 360 is that at 0, which some files leave out
+      // some files leave out the plane at 360, which equals that at 0
       const share = (at - last) / (360 - last);
       return (1 - share) * this.fileAt(vertical, last) + share * this.fileAt(vertical, first);
     }
@@ -134,7 +134,7 @@ export class PhotometricProfile {
     const sine = Math.sin(vertical * RADIANS);
     const down = Math.cos(vertical * RADIANS);
     const across = Math.cos(horizontal * RADIANS) * sine;
-    // horizontal angles go clockwise, seen from above
+    // horizontal angles go clockwise, as seen from above
     const side = -Math.sin(horizontal * RADIANS) * sine;
     const isB = this.data.type === 'B';
     let v = (isB ? Math.atan2(across, down) : Math.asin(clampSine(across))) / RADIANS;

@@ -1,14 +1,14 @@
 import type { PhotometricData } from './PhotometricData';
 
-/** Degrees between texels, the widest first. */
+/** Possible steps between texels (degrees), the widest first. */
 const STEPS = [90, 45, 30, 22.5, 20, 18, 15, 12, 10, 9, 7.5, 6, 5, 4, 3, 2.5, 2, 1, 0.5];
 const FINEST = 0.25;
-/** Step (degrees) if the light stops abruptly at the first or last angle; also for types A and B, of other axes. */
+/** Step (degrees) if the light stops abruptly at the first or last angle; also for types A and B, whose axes differ. */
 const FINE = 0.5;
 
 /**
- * Size of a profile's texture (texels): the fewest whose angles include those of the file, so that values between are
- * interpolated as in the file.
+ * Size of a profile's texture (texels): the smallest whose angles include the file's, so that values are interpolated as in the
+ * file.
  */
 export function findSteps(data: PhotometricData): { columns: number; rows: number } {
   const { type, verticalAngles: v, horizontalAngles: h } = data;

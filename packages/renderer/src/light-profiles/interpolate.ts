@@ -1,7 +1,7 @@
 /**
- * Interpolates a table linearly; the first or last value beyond its ends.
+ * Interpolates a table linearly; beyond its ends, returns the first or last value.
  * @param at - positions, ascending
- * @param values - one for each of `at`, from index `from` on
+ * @param values - values for the positions, from index `from` on
  */
 export function interpolate(at: Float64Array, values: Float64Array, from: number, x: number): number {
   let low = 0;

@@ -21,15 +21,15 @@ const HEADS: readonly (readonly [pattern: RegExp, version: IESVersion])[] = [
 /** Options of `parseIES`. */
 export interface IESOptions {
   /**
-   * Text of the file that `TILT=` names, if it names one (see `tiltFileOf`): the numbers that else stand after `TILT=INCLUDE`.
-   * Default: there is none.
+   * Text of the file named by `TILT=` (see `tiltFileOf`), with the numbers that otherwise follow `TILT=INCLUDE`. Default: no
+   * such file.
    */
   readonly tilt?: string | null;
 }
 
 /**
- * The file in which a photometric file has the tilt of its lamps, as it is written after `TILT=`; null where it has none, or
- * within itself.
+ * Name of the file with the tilt table of a photometric file, as written after `TILT=`; null if there is none, or the table is
+ * in the file itself.
  */
 export function tiltFileOf(text: string): string | null {
   const value = TILT_LINE.exec(withoutMarks(text))?.[1].trim() ?? 'NONE';
@@ -38,7 +38,7 @@ export function tiltFileOf(text: string): string | null {
 
 /**
  * Reads a photometric file of the LM-63 standard, of any edition from 1986 to 2019.
- * @throws IESError when it is not one, with the line and what to write there
+ * @throws IESError for any other text, with the line and what to write there
  * @see ANSI/IES LM-63-19, Approved Method: IES Standard File Format for the Electronic Transfer of Photometric Data
  */
 export function parseIES(text: string, { tilt: tiltText = null }: IESOptions = {}): PhotometricData {
@@ -72,7 +72,7 @@ export function parseIES(text: string, { tilt: tiltText = null }: IESOptions = {
   const horizontalAngles = reader.ascending(horizontal, 'horizontal angles');
   checkHorizontal(horizontalAngles, type, reader.line);
   const candelas = reader.numbers(vertical * horizontal, 'candelas');
-  // later editions keep the second factor for other uses: LM-63-2019 says there how the file was made
+  // later editions use the second number otherwise: in LM-63-2019 for how the file was made
   const factor = multiplier * ballast * (version === 'LM-63-1986' || version === 'LM-63-1991' ? second : 1);
   for (let i = 0; i < candelas.length; i++) candelas[i] = Math.max(0, candelas[i] * factor);
   return {
@@ -92,7 +92,7 @@ export function parseIES(text: string, { tilt: tiltText = null }: IESOptions = {
   };
 }
 
-/** Leaves out the byte order mark at the start, and the marks of DOS at the end of a file. */
+/** Removes the byte order mark at the start, and DOS's end-of-file mark at the end. */
 function withoutMarks(text: string): string {
   let end = text.length;
   while (end > 0 && text.charCodeAt(end - 1) <= 0x20) end--;
@@ -123,10 +123,7 @@ function readKeywords(lines: readonly string[], version: IESVersion): Map<string
   return keywords;
 }
 
-/**
- * @param line - line of the file, from 1
- * @param other - text of the file that is named, if one is
- */
+/** @param line - line of the file, from 1 @param other - text of the file named by `TILT=`; null for none */
 function readTilt(text: string, line: number, reader: NumberReader, other: string | null): LampTilt | null {
   const value = text.slice(text.indexOf('=') + 1).trim();
   if (/^NONE$/i.test(value)) return null;

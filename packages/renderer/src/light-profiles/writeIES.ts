@@ -11,9 +11,9 @@ function linesOf(numbers: ArrayLike<number>): string[] {
 }
 
 /**
- * A profile as a photometric file: edition 2002, or 1995 where horizontal angles go from 90° to 270°, which later ones do not
- * know. Candelas are those of the profile, the tilt of its lamps included; reading it gives the same numbers. Letters that are
- * not of Latin-1 become question marks.
+ * Writes a profile as a photometric file: edition 2002, or 1995 if horizontal angles go from 90° to 270°, which later editions
+ * lack. Candelas include the tilt of the lamps; reading the file gives the same numbers. Letters outside of Latin-1 become
+ * question marks.
  * @see ANSI/IES LM-63-19
  */
 export function writeIES({ data, tiltFactor }: PhotometricProfile): string {

@@ -45,13 +45,13 @@ export interface LightMasks {
   write(table: DataTable, first: number, camera: Camera): void;
 }
 
-/** Settings of shadow maps, cookies and layers, with the area lights whose extra records are written too. */
+/** Settings of shadow maps, cookies and layers, and the writer of area lights' extension records. */
 export interface RecordSettings extends MaskSettings {
   /** Writer of area-light records; null until the code of area lights is loaded. Default null. */
   readonly areas?: AreaLightTable | null;
 }
 
-/** Writes lights as records of the light table, with the extension records that lights of the thesis have. */
+/** Writes lights as records of the light table, and extension records for lights with Farol's options. */
 export class LightRecords {
   /** Number of extension records written since `begin`. */
   extensions = 0;
@@ -67,7 +67,7 @@ export class LightRecords {
    * Begins a frame.
    * @param firstMask - record of the first mask; extensions follow the masks
    * @param settings - settings that tell which lights may have a mask
-   * @param slots - records that shaders see before the masks, beside those of the table
+   * @param slots - number of records of light fields, which shaders read before the masks, besides those of the table
    */
   begin(masks: LightMasks | null, firstMask: number, settings: RecordSettings | null, slots = 0): void {
     this.masks = masks;

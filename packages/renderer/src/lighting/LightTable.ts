@@ -14,14 +14,14 @@ import type { PictureSize } from '../lights/PictureSize';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords, type RecordSettings } from './LightRecords';
 
-/** Lights in one group of tile lists: four 32-bit words, a bit a light. */
+/** Number of lights in a quad of tile lists: four 32-bit words, one bit for each light. */
 export const QUAD = 128;
 
 const position = new Vector3();
 
 /**
- * Order of the lights with a range in the table: spheres before cones; near to far by their centres; or by their ranks
- * in the light grid, which is computed with it. Code for the last two is fetched when first needed.
+ * Order of the lights with a range in the table: spheres before cones; near to far by their centres; or by their ranks in the
+ * light grid, which is then computed too. The code of the last two is late code.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
 
@@ -29,12 +29,10 @@ export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
 export type RankLights = (lights: LightTable, camera: Camera, size: PictureSize) => void;
 
 /**
- * The visible lights of a frame as one float texture, in view space, a record each, in runs: directional, local without a
- * range, local with a range, the last in a `LightOrder`. No limit but the texture's size (RECORDS_PER_ROW ×
- * MAX_TEXTURE_SIZE records).
- *
- * A light has three names: the `Light` of three's, its place in `boundeds`, and its record; `order` leads from the
- * record of a light with a range to its place.
+ * The visible lights of a frame as one float texture, in view space, a record each, in runs: directional, local without a range,
+ * local with a range in a `LightOrder`. Limited only by the texture's size (RECORDS_PER_ROW × MAX_TEXTURE_SIZE records). A light
+ * is identified by three's `Light`, its index in `boundeds`, and its record; `order` maps the record of a light with a range to
+ * its index.
  */
 export class LightTable extends VisibleLights {
   readonly table = new DataTable(RECORDS_PER_ROW * TEXELS_PER_RECORD);
@@ -44,25 +42,25 @@ export class LightTable extends VisibleLights {
   order: Uint32Array = new Uint32Array(64);
   /** Number of lights with a range that are not plain point lights. */
   extendedCount = 0;
-  /** Number of records of lights with a range; a grid may leave some empty. */
+  /** Number of records of lights with a range, including empty ones of a grid. */
   bounded = 0;
   /** Number of quads (128 records), from the first on, that hold only plain point lights; set by a write 'by-depth'. */
   plainQuads = 0;
   /** Tile masks and depth bins, up to date after a write 'by-grid'; null before the first such write. */
   grid: LightGrid | null = null;
-  /** Record of the light table at which the mask records (shadow map, cookie, layers of a light) begin. */
+  /** First mask record (shadow map, cookie, layers of a light) in the light table. */
   firstMask = 0;
   /**
-   * Number of light-table records kept free for the lights of light fields, which the GPU writes before record
-   * `firstSlot` of the texture that shaders read. 0 without fields: shaders then read `table` itself.
+   * Number of records that the GPU inserts for the lights of light fields, from `firstSlot` on, into the texture that shaders
+   * read. 0 without fields: shaders then read `table` itself.
    */
   slots = 0;
-  /** Whether all lights of LightFields are plain point lights: without cones. */
+  /** Whether all lights of LightFields are plain point lights, without cones. */
   plainSlots = true;
   firstSlot = 0;
   /** Number of records of `table`. */
   recordCount = 0;
-  /** Order in which the last write put the lights with a range. */
+  /** Order of the lights with a range in the last write. */
   lightOrder: LightOrder = 'by-volume';
   declare protected settings: RecordSettings | null;
   private orders: Uint32Array = new Uint32Array(64);
@@ -99,7 +97,7 @@ export class LightTable extends VisibleLights {
   }
 
   /**
-   * Fills the table with the lights collected.
+   * Fills the table with the collected lights.
    * @param masks - masks of lights; null for none
    * @param rank - function that ranks lights for the order; null for 'by-volume'
    */
@@ -118,7 +116,7 @@ export class LightTable extends VisibleLights {
     this.firstMask = this.firstBounded + this.bounded;
     const firstExtension = this.firstMask + (masks?.records ?? 0);
     const { records, table } = this;
-    // room for the worst case: an extension record for every light
+    // reserves the worst case: an extension record for every light
     table.reserve((firstExtension + this.firstBounded + this.bounded) * FLOATS_PER_RECORD);
     records.begin(masks, this.firstMask, this.settings, this.slots);
     let record = 0;
@@ -139,7 +137,7 @@ export class LightTable extends VisibleLights {
     this.table.upload(webgl);
   }
 
-  /** Bytes sent by the last `upload`. */
+  /** Bytes uploaded by the last `upload`. */
   get uploadedBytes(): number {
     return this.table.uploadedBytes;
   }
@@ -169,8 +167,8 @@ export class LightTable extends VisibleLights {
   }
 
   /**
-   * Finds the first of the records kept for lights of light fields: plain ones follow the quads of plain point lights,
-   * others the last light.
+   * Sets `firstSlot`, the first record of light fields' lights: plain ones follow the quads of plain point lights, others the
+   * last light.
    */
   private placeSlots(lightOrder: LightOrder): void {
     const { slots, plainQuads, bounded } = this;

@@ -1,5 +1,5 @@
-// Reads one light of the table and gives what arrives at a point: direction, colour, and the extension record if any.
-// Farol; the light types are those of three.js and of thesis 3.2.5.3
+// Reads one light of the table, and returns the light that arrives at a point: direction, colour, and the extension
+// record if any. Farol; types of lights: three.js and thesis 3.2.5.3
 #include "lightTable"
 #include "areaLight"
 #include "lightAttenuation"
@@ -9,7 +9,7 @@ struct FarolLight {
   vec3 color; // irradiance of a surface that faces the light
   float distance; // distance to the light (m), 0 for a directional light
   float attenuation; // factor on the colour, by distance and angle
-  int extension; // record of the extension, 0 when there is none; of an area light: less than 0
+  int extension; // record of the extension, 0 for none; negative: the extension of an area light
   int mask; // record of the mask (shadow map, cookie, layers), 0 when there is none
 };
 
@@ -57,7 +57,7 @@ FarolLight farol_localLight(const in int record, const in vec3 positionVS) {
   light.extension = light.mask = 0;
   if (farol_lightIsPlain(emission)) {
     light.attenuation = farol_distanceAttenuation(lightDistance, range, farol_lightPlainDecay(emission));
-  } else { // a spot light, a light of the thesis or one with a mask
+  } else { // a spot light, a light with an extension, or one with a mask
     vec4 cone = farol_lightCone(record);
     vec4 details = farol_lightDetails(record);
     light.mask = farol_lightMaskRecord(details);
@@ -77,7 +77,7 @@ FarolLight farol_localLight(const in int record, const in vec3 positionVS) {
   return light;
 }
 
-// light that arrives at a point; record: of a directional or local light
+// light that arrives at a point; record: a directional or local light
 FarolLight farol_lightAt(const in int record, const in vec3 positionVS) {
   if (record < farol_lightCounts.x) return farol_directionalLight(record);
   return farol_localLight(record, positionVS);

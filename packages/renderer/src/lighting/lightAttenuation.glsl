@@ -22,7 +22,7 @@ float farol_distanceAttenuation(const in float lightDistance, const in float ran
   return falloff;
 }
 
-// farol_distanceAttenuation of a light with a range, from squared distances: without a root or, for decay 2, a power
+// farol_distanceAttenuation of a light with a range, from squared distances: needs no root, and for decay 2 no power
 float farol_boundedAttenuation(const in float distanceSquared, const in float ratioSquared, const in float decay) {
   float window = 1.0 - ratioSquared * ratioSquared;
   float falloff = window * window / max(decay == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * decay), 0.01);

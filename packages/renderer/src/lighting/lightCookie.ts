@@ -1,8 +1,8 @@
 import type { CubeTexture, Light, SpotLight, Texture } from 'three';
 
 /**
- * Texture that a light projects (its cookie): a spot light's own `map`, or the cube texture that `setLightOptions` gave
- * a point light; null for none.
+ * Texture that a light projects (its cookie): a spot light's own `map`, or a point light's cube texture from `setLightOptions`;
+ * null for none.
  */
 export function cookieOf(light: Light): Texture | null {
   const spot = light as SpotLight;
@@ -10,7 +10,7 @@ export function cookieOf(light: Light): Texture | null {
   return (light.userData.farolMap as CubeTexture | undefined) ?? null;
 }
 
-/** The photometric profile that `setLightOptions` gave a light; null for none. */
+/** Photometric profile of a light from `setLightOptions`; null for none. */
 export function profileOf(light: Light): Texture | null {
   return (light.userData.farolProfile as Texture | undefined) ?? null;
 }

@@ -1,8 +1,8 @@
 import type { IUniform, Texture } from 'three';
 
 /**
- * Uniforms of lightTable.glsl and its records, fewLights.glsl, ambientLight.glsl, lightLoopOne.glsl and areaForms.glsl; one set a
- * FarolRenderer.
+ * Uniforms of lightTable.glsl and its records, fewLights.glsl, ambientLight.glsl, lightLoopOne.glsl and areaForms.glsl; one
+ * object for each FarolRenderer.
  */
 export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_lightTable: IUniform<Texture | null>;
@@ -15,13 +15,13 @@ export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_ambient: { value: Float32Array };
   /** Slopes of the ambient irradiance along x, y and z of the view-space normal, 3 × RGB. */
   readonly farol_ambientSlopes: { value: Float32Array };
-  /** Lights that are read from the uniforms below, two texels of a record each: none, or all. */
+  /** Number of lights in the uniforms below, two texels of a record each: 0, or all lights. */
   readonly farol_fewLights: { value: number };
   readonly farol_fewSphere0: { value: Float32Array };
   readonly farol_fewSphere1: { value: Float32Array };
   readonly farol_fewEmission0: { value: Float32Array };
   readonly farol_fewEmission1: { value: Float32Array };
-  /** Record of the light that lightLoopOne.glsl shades by. */
+  /** Record of the only light of lightLoopOne.glsl. */
   readonly farol_lightIndex: { value: number };
   /** Table of linearly transformed cosines, by which area lights are shaded; null without area lights. */
   readonly farol_ltc: IUniform<Texture | null>;
@@ -29,7 +29,7 @@ export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_areaCounts: { value: number[] };
 }
 
-/** @param ambient - the constant and the three slopes, 4 × RGB: views of it are the values of the uniforms */
+/** @param ambient - constant and three slopes, 4 × RGB, of which the uniforms' values are views */
 export function lightUniforms(ambient: Float32Array): LightUniforms {
   return {
     farol_lightTable: { value: null },

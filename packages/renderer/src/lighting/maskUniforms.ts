@@ -1,8 +1,8 @@
 import { type IUniform, Matrix3, Vector2 } from 'three';
 
 /**
- * Uniforms of shadow maps, cookies and layers of lights: those of lightImage.glsl, lightShadow.glsl, shadowMask.glsl
- * and lightMaskLayers.glsl, and of the tiles in lightLoopClustered.glsl.
+ * Uniforms of shadow maps, cookies and layers of lights: of lightImage.glsl, lightShadow.glsl, shadowMask.glsl and
+ * lightMaskLayers.glsl, and of tile shadows in lightLoopClustered.glsl.
  */
 export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_shadowAtlas: IUniform;
@@ -12,7 +12,7 @@ export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_atlasTexel: { value: number[] };
   /** Rotation from view space to the world's axes. */
   readonly farol_worldAxes: { value: Matrix3 };
-  /** Pixel of the host's target that the first pixel of the bound target stands for; written by `Frame.bind`. */
+  /** Pixel of the host's target for the first pixel of the bound target; written by `Frame.bind`. */
   readonly farol_targetOrigin: { value: Vector2 };
   readonly farol_masks: { value: number[] };
   readonly farol_layers: { value: number[] };

@@ -6,10 +6,10 @@ const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
 
 /**
  * GLSL functions that read a record of the light table: `vec4 farol_<prefix><Texel>(record)` for each texel, and
- * `farol_<prefix><Value>` for each value, of a record or of a texel that was fetched before. The texels of a layout with
- * more than a record has lie in the records that follow.
- * @param prefix - such as `light`: `farol_lightRange(record)`, `farol_lightRange(farol_lightSphere(record))`
- * @param fetches - texels that are fetched by a function of their own, `farol_<texel>Texel(record)`. Default none
+ * `farol_<prefix><Value>` for each value, from a record or a fetched texel. Layouts with more texels than a record continue in
+ * the next records.
+ * @param prefix - prefix such as `light`: `farol_lightRange(record)`, `farol_lightRange(farol_lightSphere(record))`
+ * @param fetches - texels that are fetched by a custom function, `farol_<texel>Texel(record)`. Default none
  */
 export function recordGetters(prefix: string, layout: RecordLayout, fetches: readonly string[] = []): string {
   const lines: string[] = [];

@@ -6,24 +6,24 @@ export const BINS = 1024;
 const KEYS = 4096;
 /** Margin at both ends of each light's range (bins), since GPUs round depths. */
 const MARGIN = 1 / 32;
-/** Smallest range of depths that is cut into bins (units of the last place). */
+/** Smallest range of depths that is divided into bins (units of the last place of a float). */
 const LEAST_RANGE = 1 << 20;
 /** Maximum number of deep lights, see `DepthBins`. */
 const MOST_DEEP = 128;
 const EXTENTS = 256;
 /**
- * Lights of a page, which shaders read at once. Deep lights are tried when a depth reads LONG times the pages of equal
- * lights.
+ * Number of lights in a page, which shaders read at once. Deep lights are tried when a depth reads LONG times as many pages as
+ * if all lights were equally deep.
  */
 const PAGE = 128;
 const LONG = 1.5;
 
 /**
- * Orders lights by depth, cuts depth into bins, and gives each bin the ranks of its first and its last light.
- * The first and the last bin have no lights. Bins widen with depth: with the bits of a float as an integer, which grow as
- * its logarithm does, `bin = clamp(int(float(floatBitsToInt(max(depth + shift, 0.0)) - start) * scale), 0, 1023)`.
+ * Orders lights by depth, divides depth into bins, and gives each bin the ranks of its first and its last light. The first and
+ * the last bin have no lights. Bins widen with depth: with a float's bits as an integer, which grow like its logarithm,
+ * `bin = clamp(int(float(floatBitsToInt(max(depth + shift, 0.0)) - start) * scale), 0, 1023)`.
  *
- * Deep lights, which reach over far more other lights than most do, have the first ranks: they are in no bin and count
+ * Deep lights, whose depths overlap those of far more lights than is usual, have the first ranks: they are in no bin and count
  * for every depth. In bins they would widen the range of each bin that they touch.
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
@@ -35,7 +35,7 @@ export class DepthBins {
   readonly bins = new Uint32Array(BINS);
   /** Index in `GridLights` of the light of each rank; NO_LIGHT for ranks that fill the last word of deep lights. */
   order = new Uint32Array(0);
-  /** Number of ranks (places of lights in the order of depth) in use. */
+  /** Number of ranks (positions of lights in the order of depth) in use. */
   count = 0;
   /** Number of words (of 32 ranks) of deep lights. */
   deepWords = 0;
@@ -47,7 +47,7 @@ export class DepthBins {
   private readonly extents = new Uint32Array(EXTENTS);
   private readonly next = new Uint16Array(BINS + 1);
 
-  /** @param perspective - false allows depths of 0 and below */
+  /** @param perspective - whether all depths are above 0 */
   build(lights: GridLights, perspective: boolean): void {
     const { count } = lights;
     if (this.first.length < count) {
@@ -100,7 +100,7 @@ export class DepthBins {
     for (let bin = 0; bin < BINS; bin++) countsBefore[bin + 1] += countsBefore[bin];
   }
 
-  /** Sorts by counting: deep lights, of an extent above `limit`, then the others by the middle of their depths. */
+  /** Counting sort: deep lights, of an extent above `limit`, then the others by the middle of their depths. */
   private rank(count: number, limit: number): void {
     const { keys, starts, order } = this;
     starts.fill(0);
@@ -120,12 +120,12 @@ export class DepthBins {
     }
   }
 
-  /** Extent of a light: how many lights have the middle of their depths between its nearest and farthest depth. */
+  /** Extent of a light: number of lights whose middle depth lies between its nearest and farthest depth. */
   private extent(i: number): number {
     return this.countsBefore[this.last[i] + 1] - this.countsBefore[this.first[i]];
   }
 
-  /** Counts the lights' extents in depth by size. @returns the mean extent */
+  /** Fills the histogram of the lights' extents. @returns the mean extent */
   private countExtents(count: number): number {
     const { extents } = this;
     let sum = 0;
@@ -138,7 +138,7 @@ export class DepthBins {
     return sum / count;
   }
 
-  /** The extent above which lights are deep: twice the mean, or more where else more than MOST_DEEP were deep. */
+  /** Extent above which lights are deep: twice the mean, or more if that gave more than MOST_DEEP deep lights. */
   private deepLimit(count: number, mean: number): number {
     let step = EXTENTS;
     for (let deep = 0; step > 0; step--) {
@@ -184,7 +184,7 @@ function floatBits(value: number): number {
   return bits[0];
 }
 
-/** First bin at or after `bin` that has no value yet; halves the paths in `next` on the way. */
+/** First bin at or after `bin` that has no value yet; shortens the chains in `next` (path halving). */
 function follow(next: Uint16Array, bin: number): number {
   let at = bin;
   while (next[at] !== at) {

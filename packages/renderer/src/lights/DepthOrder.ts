@@ -1,18 +1,18 @@
-/** Number of depths that are told apart, from the nearest light to the farthest. */
+/** Number of distinguished depths, from the nearest light to the farthest. */
 const KEYS = 4096;
 
 /**
- * Sorts lights near to far, by counting. Allocates only to grow; lights of equal depth, within 1 / KEYS of the range of
- * depths, keep their order.
+ * Counting sort of lights, near to far. Allocates only to grow; lights of equal depth, within 1 / KEYS of the range of depths,
+ * keep their order.
  */
 export class DepthOrder {
   private order = new Uint32Array(64);
   private keys = new Uint16Array(64);
-  /** Number of lights of each depth, then the place of the next one. */
+  /** Number of lights of each depth, then the output index of the next such light. */
   private readonly places = new Uint32Array(KEYS);
 
   /**
-   * @param count - lights
+   * @param count - number of lights
    * @param data - view-space z (m, negative before the camera) of light i at data[i * stride + offset]
    * @returns indices of the lights, nearest first; valid until the next call; at least `count` long
    */

@@ -1,29 +1,29 @@
 import type { Light } from 'three';
 import { type PlainPoints, POINT } from './plainPoints';
 
-/** A light, or an object above one. */
+/** Light, or ancestor of one. */
 export type Placed = NonNullable<Light['parent']>;
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export class FoundLights {
-  /** All managed lights of the frame, the first `count`; the rest is left from the frame before. */
+  /** All managed lights of the frame: the first `count`; later ones are of an earlier frame. */
   readonly all: Light[] = [];
   /** Number of lights of this frame in `all`. */
   count = 0;
-  /** Place, colour and range of each light in `all`, see `readPoint`; longer where earlier frames had more. */
+  /** Position, colour and range of each light in `all`, see `readPoint`; longer if earlier frames had more lights. */
   points: PlainPoints = new Float64Array(0);
   /**
-   * Quaternion and scale of each light in `all` when its matrix was last composed, and element 10 of that matrix; the first
-   * is NaN where they are not known. POINT numbers each.
+   * Quaternion and scale of each light in `all` when its matrix was last composed, and element 10 of that matrix, POINT numbers
+   * each; the first is NaN where unknown.
    */
   poses = new Float64Array(0);
   /** Index of the first child of the scene that is not read ahead yet. */
   fetched = 0;
-  /** Managed lights that three's traversal would meet: those in `rest`, and below. */
+  /** Managed lights that three's traversal would find: in `rest`, or below. */
   readonly nested: Light[] = [];
   /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
   readonly rest: Placed[] = [];
-  /** Whether `masks` counts the lights that cast a shadow, throw an image or have a profile. */
+  /** Whether `masks` counts the lights that cast a shadow, project an image or have a profile. */
   seeksMasks = true;
   masks = 0;
   /** Number of lights left to three. */

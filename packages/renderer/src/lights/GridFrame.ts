@@ -4,14 +4,14 @@ export class GridFrame {
   tilesY = 0;
   /** True where a slope is lateral / depth; false (orthographic) where it is the lateral distance itself. */
   perspective = true;
-  /** Tiles a unit of slope, above 0; if the projection mirrors, `signX` or `signY` is -1 and positions are mirrored. */
+  /** Tiles for a unit of slope, above 0; if the projection mirrors, `signX` or `signY` is -1 and positions are mirrored. */
   scaleX = 1;
   scaleY = 1;
   offsetX = 0;
   offsetY = 0;
   signX = 1;
   signY = 1;
-  /** Half the width and height of the picture (tiles). */
+  /** Half the width, and half the height, of the picture (tiles). */
   halfX = 0;
   halfY = 0;
   near = 0;

@@ -46,7 +46,7 @@ function replaceOne(kept: Float64Array, at: number, value: number): boolean {
   return true;
 }
 
-/** Copies the first values, from the first that differs on. @returns whether one differs */
+/** Copies `count` values, beginning with the first that differs. @returns whether any differs */
 function replaceAll(kept: Float64Array, values: ArrayLike<number>, count: number): boolean {
   let i = 0;
   while (i < count && kept[i] === values[i]) i++;

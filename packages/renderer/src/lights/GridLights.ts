@@ -12,9 +12,7 @@ export const TILES = 4;
 /** Margin round each light (tiles), greater than any rounding error. */
 export const MARGIN = 1e-3;
 
-/**
- * Bounds of each light on screen; lights that touch no tile are left out. Arrays grow to what is needed and are kept.
- */
+/** Bounds of each light on screen; lights that touch no tile are left out. Arrays grow as needed and are reused. */
 export class GridLights {
   count = 0;
   /** Nearest and farthest depth of all lights (m). */
@@ -23,8 +21,8 @@ export class GridLights {
   /** Index of each light in the caller's list. */
   index = new Uint32Array(0);
   /**
-   * Ten numbers for each light: x, y, depth, radius of a sphere round it (m); its rectangle: left, right (tiles),
-   * bottom, top (slopes); nearest and farthest depth (m) between near and far plane.
+   * Ten numbers for each light: x, y, depth, radius of its bounding sphere (m); its rectangle: left, right (tiles), bottom, top
+   * (slopes); nearest and farthest depth (m) between near and far plane.
    */
   shapes = new Float64Array(0);
   /** Tiles of each light: first column, last column, first row, last row. */
@@ -94,7 +92,7 @@ export class GridLights {
     let depth = centreDepth;
     let radius = wholeRadius;
     if (!(depth >= near && depth <= far)) {
-      // less than half of the sphere is within near and far plane: a sphere round its disc on the plane holds that part
+      // less than half of the sphere is within near and far plane: a sphere around its disc on the plane contains that part
       depth = depth < near ? near : far;
       radius = halfChord(depth - centreDepth, radius);
     }
@@ -106,7 +104,7 @@ export class GridLights {
     let top = y + radius;
     if (frame.perspective) {
       if (depth - radius > near && depth + radius < far) {
-        // slopeBounds of a sphere that is not clipped, for x and y at once
+        // as slopeBounds of an unclipped sphere, for x and y at once
         const squared = depth * depth - radius * radius;
         const rootX = radius * Math.sqrt(x * x + squared);
         const rootY = radius * Math.sqrt(y * y + squared);

@@ -5,7 +5,7 @@ import { GridLights } from './GridLights';
 import { NO_LIGHT } from './lightRecord';
 import { TileMasks } from './TileMasks';
 
-/** Maximum number of lights of a grid: ranks are 16 bits, and 31 may be left free. */
+/** Maximum number of lights of a grid: ranks have 16 bits, and up to 31 may be unused. */
 export const MOST_LIGHTS = 65_504;
 
 /**
@@ -21,15 +21,14 @@ export const MOST_LIGHTS = 65_504;
  *
  *     lights of a pixel = bits of its tile's mask, at ranks from first to last of its depth's bin, and at deep ranks
  *
- * A tile knows nothing of depth and a bin nothing of the picture: memory grows with their sum, not with their product
- * as that of clusters does. Lights that reach over far more depths than most are deep: in no bin, they count for every
- * depth. No light that reaches a point is ever missing there; no list can overflow; nothing is allocated but to grow.
- *
- * Steps of an update: `GridLights` (where each light is on screen), `DepthBins` (ranks and bins), `TileMasks` (bits).
+ * Tiles do not depend on depth, nor bins on the picture: memory grows with the sum of their numbers, not with the product
+ * as for clusters. Lights that span far more depths than is usual are deep: they are in no bin and count for every depth.
+ * No light that reaches a point is ever missing there; no list can overflow; arrays are allocated only to grow. Steps of
+ * an update: `GridLights` (where each light is on screen), `DepthBins` (ranks and bins), `TileMasks` (bits).
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
 export class LightGrid {
-  /** Number of ranks (places of lights in the order of depth) in use. */
+  /** Number of ranks (positions of lights in the order of depth) in use. */
   count = 0;
   /** Index of the light of each rank; NO_LIGHT for empty ranks. Only the first `count` are valid. */
   order = new Uint32Array(0);
@@ -41,7 +40,7 @@ export class LightGrid {
   private readonly tileMasks = new TileMasks();
   private readonly depthBins = new DepthBins();
 
-  /** @param tileSize - pixels of a tile's side, above 0 */
+  /** @param tileSize - side of a tile (pixels), above 0 */
   constructor(readonly tileSize = 32) {
     if (!(tileSize > 0)) throw new RangeError(`LightGrid: tileSize is ${tileSize}; give a size above 0.`);
   }
@@ -73,7 +72,7 @@ export class LightGrid {
     return this.depthBins.bins;
   }
 
-  /** Number of first words whose lights count for every depth. */
+  /** Number of words, from the first on, whose lights count for every depth. */
   get deepWords(): number {
     return this.depthBins.deepWords;
   }
@@ -96,16 +95,15 @@ export class LightGrid {
   }
 
   /**
-   * Makes masks and bins, unless all inputs equal those of the last update.
-   * @param count - lights, up to MOST_LIGHTS
+   * Computes masks and bins, unless all inputs equal those of the last update.
+   * @param count - number of lights, up to MOST_LIGHTS
    * @param spheres - [count, 4] centre in view space and radius (m), finite centres; radius 0 to Infinity
    * @param projection - 16 elements, column-major: perspective, off-centre perspective or orthographic
    * @param near - depth of the near plane (m); above 0 for a perspective
    * @param far - depth of the far plane (m), or Infinity
    * @param width - width of the picture (pixels), with height
-   * @param cones - [count, 4] unit vector from where the light shines to the light (view space), and the cosine of its
-   * cutoff,
-   *   0 to 1; -1 for a sphere. Null: all are spheres
+   * @param cones - [count, 4] unit vector from where the light shines to the light (view space), and the cosine of its cutoff, 0
+   *   to 1; -1 for a sphere. Null: all are spheres
    * @throws RangeError for too many lights
    */
   update(

@@ -2,16 +2,16 @@ import { NO_LIGHT } from './lightRecord';
 import type { GridFrame } from './GridFrame';
 import { type GridLights, MARGIN, SHAPE, TILES } from './GridLights';
 
-/** Lights, and 32-bit words of a tile's mask, that one page of masks holds. */
+/** Number of lights, and of 32-bit words of a tile's mask, in one page of masks. */
 const PAGE_LIGHTS = 128;
 const PAGE_WORDS = 4;
-/** Mean lights of a tile from which on a page's spans are written by their ends, then filled. */
+/** Mean number of lights in a tile from which on only the ends of a page's spans are written, then filled by `spread`. */
 const TOGGLE_FROM = 6;
 
 /**
- * Bits that tell which lights touch which tiles. Four words (128 lights) make a page of the whole picture: word `w` of tile
- * `(x, y)` is `masks[((w >> 2) * tilesY * tilesX + y * tilesX + x) * 4 + (w & 3)]`, so that a page's row of tiles is a row
- * of RGBA32UI texels, and lights that follow each other write near each other.
+ * Bits of the lights that touch each tile. Four words (128 lights) of all tiles make a page: word `w` of tile `(x, y)` is
+ * `masks[((w >> 2) * tilesY * tilesX + y * tilesX + x) * 4 + (w & 3)]`, so that a page's row of tiles is a row of RGBA32UI
+ * texels, and consecutive lights write to nearby memory.
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
 export class TileMasks {
@@ -80,7 +80,8 @@ export class TileMasks {
     const bottom = shapes[at + 6];
     const top = shapes[at + 7];
 
-    // at slope s the outline is at the columns a + b s ± c √(d + e s + f s²); rows where it is leftmost and rightmost
+    // at slope s the outline is at the columns a + b s ± c √(d + e s + f s²); also finds the rows of its leftmost and rightmost
+    // points
     let a = offsetX + x * scaleX;
     let b = 0;
     let c = scaleX;
@@ -97,7 +98,7 @@ export class TileMasks {
       const k = squared + y * y - radius * radius;
       const m = k - x * x;
       if (!(k > 0) || Math.abs(m) < 1e-9 * k) return this.markRectangle(tiles, t, word, bit, toggle, tilesX);
-      // the outline of a sphere beside the eye is open to its side
+      // a sphere beside the eye has an outline that is open to that side
       openLeft = m < 0 && x < 0;
       openRight = m < 0 && x > 0;
       const scale = scaleX / m;

@@ -7,8 +7,8 @@ import { boundLight, sphereCoverage, sphereOutsidePlanes, ViewSpace } from './sp
 const up = new Vector3();
 
 /**
- * The lights of a frame by class, in view space: those that have a value which is no number, give no light, or reach
- * nothing that the camera sees are left out. Arrays grow to what is needed and are kept.
+ * The lights of a frame by class, in view space: lights with a value that is no finite number, without light, or whose range the
+ * camera does not see are left out. Arrays grow as needed and are reused.
  */
 export class VisibleLights {
   readonly directionals: DirectionalLight[] = [];
@@ -31,20 +31,20 @@ export class VisibleLights {
   areas = 0;
   /** Whether there are area lights, with a range or without. */
   hasAreas = false;
-  /** Whether lights throw images. */
+  /** Whether any light projects an image. */
   hasImages = false;
-  /** Whether shadow maps of `light.shadow` are looked up some way off along the normal. */
+  /** Whether any `light.shadow` has a normal bias. */
   hasNormalBias = false;
-  /** Number of managed lights in the scene, and of those kept for this frame (ambient and hemisphere ones included). */
+  /** Number of managed lights in the scene, and of those in this frame (ambient and hemisphere ones included). */
   total = 0;
   visible = 0;
-  /** Number of managed lights in the scene that are objects of their own, light fields left out. */
+  /** Number of managed lights in the scene without those of light fields. */
   singles = 0;
-  /** Sum of the shares of the picture that `boundeds` cover: how many lie over a pixel, whatever its depth. */
+  /** Mean number of `boundeds` over a pixel, at any depth: sum of the shares of the picture that they cover. */
   coverage = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
   readonly ambient = new Float32Array(12);
-  /** Shadows, light layers and area lights of the last frame whose lights were collected. */
+  /** Shadows, light layers and area lights passed to the last `collect`. */
   protected settings: MaskSettings | null = null;
   private kept = 0;
   /** Values of plain point lights, read by `collect` when the caller has not read them yet. */
@@ -53,17 +53,17 @@ export class VisibleLights {
   private readonly space = new ViewSpace();
 
   /**
-   * Takes the lights of a frame. World matrices must be up to date.
-   * @param lights - managed ones that are visible to the camera's layers
-   * @param camera - gives view space and the frustum
-   * @param points - what the lights give, read before. Default: read here
+   * Classifies the lights of a frame. World matrices must be up to date.
+   * @param lights - managed lights that the camera's layers see
+   * @param camera - camera of the view space and frustum
+   * @param points - values of plain point lights, if read already. Default: read here
    */
   collect(lights: readonly Light[], camera: Camera, settings: MaskSettings, points: PlainPoints | null = null): void {
     const { facts, space } = this;
     space.begin(camera);
     this.settings = settings;
     this.clear(lights);
-    // layers are a mask
+    // with light layers any light may be masked: none is plain
     const read = settings.layers === null ? points : null;
     const from = read ?? this.readPoints(lights, settings);
     for (let i = this.addPoints(lights, from, 0); i < lights.length; i = this.addPoints(lights, from, i + 1))
@@ -87,7 +87,7 @@ export class VisibleLights {
   private addField(light: LightFieldData): void {
     this.fields.push(light);
     this.singles--;
-    // the field is counted with its lights, one of which the caller counts
+    // `total` counts a field's lights; the caller has added 1
     const others = fieldCount(light) - 1;
     this.total += others;
     this.visible += others;
@@ -125,10 +125,7 @@ export class VisibleLights {
     return ownPoints;
   }
 
-  /**
-   * Adds the plain point lights from index `i` on that give light and reach something that is seen.
-   * @returns index of the first light that is none
-   */
+  /** Adds the visible plain point lights from index `i` on. @returns index of the first light that is not a plain point light */
   private addPoints(lights: readonly Light[], from: PlainPoints, i: number): number {
     const { boundeds, cones, emissions, spheres, space } = this;
     const { elements: m } = space.view;
@@ -171,7 +168,7 @@ export class VisibleLights {
     return i;
   }
 
-  /** Adds a light by its `facts`, unless it reaches nothing that is seen. */
+  /** Adds a light by its `facts`, if its range is visible. */
   private addByClass(light: Light): void {
     const { kind, range, isMasked } = this.facts;
     if (range > 0) {

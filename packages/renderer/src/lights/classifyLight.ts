@@ -17,7 +17,7 @@ type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
  *
  * | class | is |
  * |---|---|
- * | ambient, hemisphere | summed up into four colours, no record |
+ * | ambient, hemisphere | summed into four colours, no record |
  * | directional | over every pixel |
  * | unbounded | a point or spot light without a range: over every pixel |
  * | point | a point light with a range, as three has it; plain if it has no mask either |
@@ -25,7 +25,7 @@ type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
  * | spot | a spot light with a range |
  * | area | a RectAreaLight: a rectangle, a disc or a tube |
  * | field | a LightField: many point and spot lights, whose records the GPU writes |
- * | other | three's own to light with: probes |
+ * | other | left to three: probes |
  */
 export type LightClass =
   | 'ambient'
@@ -45,7 +45,7 @@ export function classifyLight(light: Light): LightClass {
   return isLocal && lightRange(light as PointLight) === 0 ? 'unbounded' : classWithRange(light);
 }
 
-/** Class of a light, of a point or spot light as if it had a range. */
+/** Class of a light; point and spot lights as if they had a range. */
 function classWithRange(light: Light): LightClass {
   if ((light as AnyLight).isPointLight === true) return light.userData.farol === undefined ? 'point' : 'extended-point';
   const { isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight, isLightField } = light as AnyLight;
@@ -62,16 +62,14 @@ export function isAreaLight(light: Light): light is RectAreaLight {
   return (light as AnyLight).isRectAreaLight === true;
 }
 
-/**
- * True for a light that throws an image: a spot light with a `map`, or a point light that `setLightOptions` gave one.
- */
+/** True for a light that projects an image: a spot light with a `map`, or a point light with one set by `setLightOptions`. */
 export function hasCookie(light: Light): boolean {
   return (light as AnyLight).isSpotLight === true
     ? (light as SpotLight).map !== null
     : (light.userData.farolMap ?? null) !== null;
 }
 
-/** True for a light with a photometric profile, as `setLightOptions` gave it. */
+/** True for a light with a photometric profile, set by `setLightOptions`. */
 export function hasProfile(light: Light): boolean {
   return (light.userData.farolProfile ?? null) !== null;
 }
@@ -89,8 +87,8 @@ export interface LeftToThree {
 }
 
 /**
- * True for the lights that Farol keeps in its own table: they never change a program.
- * three keeps the others: probes, and lights of the kinds in `left` until the code for them is loaded.
+ * True for the lights that Farol keeps in its own table: they never change a program. three lights with the others: probes, and
+ * the kinds in `left` until the code for them is loaded.
  */
 export function isManagedLight(light: Light, left: LeftToThree): boolean {
   // three has no code for light fields
@@ -103,7 +101,7 @@ export function isManagedLight(light: Light, left: LeftToThree): boolean {
   return !(left.shadows && light.castShadow) && !(left.cookies && isSpotLight === true && hasCookie(light));
 }
 
-/** Kinds of shadow-casting lights that have shadow maps; variance shadow maps know no point and area lights. */
+/** Kinds of shadow-casting lights that have shadow maps; with variance shadow maps, point and area lights have none. */
 export type ShadowedLights = 'none' | 'all' | 'all-but-points';
 
 /** True for a light that has a shadow map. */
@@ -117,11 +115,11 @@ export interface MaskSettings {
   readonly shadows: ShadowedLights;
   /** Finds lights that do not reach all objects; null if all lights do. */
   readonly layers: { separates(light: Light): boolean } | null;
-  /** Area lights; null until their code is loaded: three lights them. Default null. */
+  /** Area lights; null until their code is loaded, while three lights with them. Default null. */
   readonly areas?: AreaRadii | null;
 }
 
-/** True for a directional, point or spot light of which a shadow map, an image, a profile or layers may take something. */
+/** True for a directional, point or spot light that a shadow map, an image, a profile or layers may darken. */
 export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
   return (
     hasShadowMap(light, masks.shadows) ||
@@ -140,18 +138,18 @@ function isBlackLight(light: Light): boolean {
   return ambient === undefined && specular === undefined;
 }
 
-/** Facts about a light in the present frame; one object is filled for one light after another. */
+/** Facts about a light in this frame; one object, reused for each light. */
 export class LightFacts {
   kind: LightClass = 'other';
   /** Distance (m) beyond which the light gives nothing; 0 for a light without a range. */
   range = 0;
-  /** Whether a shadow map, an image, a profile or layers may take something of it. */
+  /** Whether a shadow map, an image, a profile or layers may darken the light. */
   isMasked = false;
   private readonly warned = new WeakSet<Light>();
 
   /**
    * Reads the facts of a light.
-   * @returns false for a light that is left out: it gives nothing, or a value of it is no finite number, which is told once
+   * @returns false for a light to leave out: black, or with a value that is no finite number, of which it warns once
    */
   classify(light: Light, masks: MaskSettings): boolean {
     if (!hasFiniteValues(light)) {
@@ -180,7 +178,7 @@ export class LightFacts {
   }
 }
 
-/** True if all values of a light are finite: another one would make every pixel NaN. */
+/** True if all values of a light are finite; any other would turn pixels to NaN. */
 function hasFiniteValues(light: Light): boolean {
   const { elements } = light.matrixWorld;
   const { r, g, b } = light.color;

@@ -1,6 +1,6 @@
 /**
- * How far a cone with a spherical cap reaches from its apex along a direction: the greatest `dot(p - apex, u)`.
- * @param cosine - between the axis and the unit vector u
+ * Extent of a cone with a spherical cap from its apex along a unit vector u: the greatest `dot(p - apex, u)`.
+ * @param cosine - cosine between the axis and u
  * @param angle - half the opening (rad), 0 to π/2
  */
 export function coneSupport(cosine: number, range: number, angle: number): number {
@@ -9,8 +9,8 @@ export function coneSupport(cosine: number, range: number, angle: number): numbe
 }
 
 /**
- * Whether a cone with a spherical cap and a sphere touch; exact. The arrays and places in them spare the engine twelve
- * boxed numbers a call.
+ * Whether a cone with a spherical cap and a sphere touch; exact. Takes arrays and indices, since engines may box number
+ * arguments.
  * @param apexes - apex (m) and length of the sides, which is also the radius of the cap (m): 4 numbers at `cone`
  * @param axes - unit axis from the cone to its apex, and cosine of half the opening (0 to π/2): 4 numbers at `cone`
  * @param spheres - centre and radius (m): 4 numbers at `sphere`

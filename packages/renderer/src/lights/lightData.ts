@@ -18,20 +18,20 @@ export type FarolAttenuation =
     };
 
 /**
- * Shape of a RectAreaLight. 'rectangle', as in three; 'disc': the ellipse in it; both shine along the light's -z.
- * 'tube': `width` long along the light's x, `height` thick, shines all round but not at its ends; right where it is
- * thin against its distance. Stock three draws all as rectangles.
+ * Shape of a RectAreaLight. 'rectangle', as in three; 'disc': the inscribed ellipse; both emit along the light's -z. 'tube':
+ * `width` long along the light's x, `height` thick, emits all around but not from its ends; accurate if thin compared to its
+ * distance. Stock three draws all as rectangles.
  */
 export type AreaLightShape = 'rectangle' | 'disc' | 'tube';
 
 /**
- * Properties of lights of the thesis (3.2.5.3) and area lights that three.js lights do not have. Set by
+ * Properties that three.js lights lack: of the thesis's lights (3.2.5.3), area lights and baked lights. Set by
  * `setLightOptions`, which keeps them as plain JSON at `light.userData.farol`, read anew each frame.
  */
 export interface FarolLightData {
   /**
-   * Light on every surface in reach, whatever its normal, as a factor on the light's intensity; multiplied by the
-   * material's ambient factor, if its shader has one: `#define FAROL_AMBIENT_FACTOR`, a colour. Default black.
+   * Light on every surface in range, for any normal, as a factor on the light's intensity; multiplied by the material's ambient
+   * factor, if its shader defines one: the colour `FAROL_AMBIENT_FACTOR`. Default black.
    */
   ambient?: LinearRGB;
   /** Colour of the specular term, as a factor on the light's intensity. Default: the light's own colour. */
@@ -46,23 +46,21 @@ export interface FarolLightData {
   /** Shape of a RectAreaLight. Default 'rectangle', as in three. */
   shape?: AreaLightShape;
   /**
-   * Distance (m) from a RectAreaLight's surface beyond which it gives nothing; up to half of that it gives what three
-   * has it give. Above 0; 0 for no end. Default: where `FarolRenderer.areaLightThreshold` puts it.
+   * Distance (m) from a RectAreaLight's surface beyond which it gives nothing; up to half of it the light is as bright as in
+   * three. Above 0, or 0 for no end. Default: by `FarolRenderer.areaLightThreshold`.
    */
   range?: number;
   /** Texels across a face of the shadow map of a RectAreaLight, 16 to 8,192. Default 1,024. */
   shadowMapSize?: number;
-  /**
-   * Offset along the surface's normal (m) at which a RectAreaLight's shadow map is looked up. At least 0. Default 0.03.
-   */
+  /** Offset along the surface's normal (m) at which a RectAreaLight's shadow map is sampled. At least 0. Default 0.03. */
   shadowNormalBias?: number;
-  /** Radius (m) of the shining ball of a point or spot light that @farol/bake bakes, for soft shadows. Default 0. */
+  /** Radius (m) of a point or spot light as a sphere, for soft shadows baked by @farol/bake. Default 0. */
   radius?: number;
-  /** Angle (rad) that the sun covers, for a directional light that @farol/bake bakes with soft shadows. Default 0. */
+  /** Angular diameter (rad) of a directional light, for soft shadows baked by @farol/bake. Default 0. */
   angle?: number;
 }
 
-/** Parts of a LightField that the maths of lights use. */
+/** Properties of a LightField that light collection reads. */
 export interface LightFieldData extends Light {
   readonly capacity: number;
   readonly count: number;
@@ -73,13 +71,13 @@ export function fieldCount({ capacity, count }: LightFieldData): number {
   return Math.max(0, Math.min(capacity, Math.floor(count) || 0));
 }
 
-/** Measures area lights; late code that is fetched when a scene has one. */
+/** Radii of area lights; implemented by late code. */
 export interface AreaRadii {
-  /** Radius (m) of a sphere round a light's centre that holds all it lights; 0 without an end, NaN if it gives nothing. */
+  /** Radius (m) of a sphere around a light's centre that contains all it lights; 0 for no end, NaN for a black light. */
   radiusOf(light: RectAreaLight): number;
 }
 
-/** Distance from which on a light gives exactly nothing (m); 0 for a light without a range. */
+/** Distance from which on a light gives nothing (m); 0 for a light without a range. */
 export function lightRange(light: PointLight): number {
   const attenuation = (light.userData.farol as FarolLightData | undefined)?.attenuation;
   let range = light.distance;

@@ -3,28 +3,30 @@ import type { RecordLayout } from './recordLayout';
 type Offsets<Layout extends RecordLayout> = { readonly [texel in keyof Layout]: number };
 
 /**
- * The light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row. A light
- * is one record; what few lights need lies in records of their own, behind all lights: a mask (`masks/maskRecord.ts`:
- * the light's shadow map and cookie) and an extension (what only a light of the thesis or an area light has).
+ * The light table: a texture of RGBA32F texels, `TEXELS_PER_RECORD` a record, `RECORDS_PER_ROW` records a row. A light is one
+ * record; data that few lights need are in separate records, behind all lights: a mask (`masks/maskRecord.ts`: the light's
+ * shadow map and cookie) and an extension (options of the thesis's lights, or of area lights).
  *
- * The offsets for TypeScript below, and lightRecord.glsl with its getters, are made from the two tables:
- * recordGetters.test.ts.
+ * The offsets for TypeScript below, and lightRecord.glsl with its getters, are made from the two tables: recordGetters.test.ts.
  */
 export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
 export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
 
-/** Stands for a light's index, for a record that lights nothing. */
+/** In place of a light's index, for a record that lights nothing. */
 export const NO_LIGHT = 0xffffffff;
 
-/** In place of a point light's cone: the cosine of its cutoff, and that of its penumbra, which no spot light has. */
+/** Cosines of cutoff and penumbra that mark a point light; no spot light has them. */
 export const POINT_CUTOFF = -3;
 export const POINT_PENUMBRA = -2;
-/** Penumbra that marks an area light, as POINT_PENUMBRA does a point light. */
+/** Cosine of the penumbra that marks an area light. */
 export const AREA_PENUMBRA = -3;
 /** Spot exponent in the record of a light whose cone has three's penumbra instead. */
 export const NO_EXPONENT = -1;
-/** Fraction added to record indices in `details`, of a point light that has left its shadow map's place; shaders drop it. */
+/**
+ * Fraction added to a mask's record index in `details` if the point light has moved since its shadow map was drawn; shaders
+ * truncate it.
+ */
 export const ELSEWHERE = 0.5;
 
 /** Kinds of attenuation with distance, of a light with an extension record. */
@@ -43,7 +45,8 @@ export const lightRecord = {
     /** Linear colour × intensity of the light. */
     color: 'rgb',
     /**
-     * Local light: whether it is a point light as three has it, without a mask; its cone and details are not written.
+     * For a local light: whether it is a plain point light, without mask or Farol's options; its cone and details are not
+     * written.
      */
     isPlain: ['bool', 't.w >= 0.0'],
     plainDecay: 'w',
@@ -75,26 +78,26 @@ export const lightRecord = {
   },
 } as const satisfies RecordLayout;
 
-/** Record of the settings that only a light of the thesis has (`extension`). Colours are linear. */
+/** Record of options that only the thesis's lights have (`extension`). Colours are linear. */
 export const extensionRecord = {
   /** Factor on the light's colour in its diffuse reflection. */
   diffuse: { diffuse: 'rgb' },
   /** Factor on the light's colour in its specular reflection. */
   specular: { specular: 'rgb' },
-  /** Ambient light, given to every surface in reach, whatever its normal. */
+  /** Ambient light on every surface in range, for any normal. */
   ambient: { ambient: 'rgb' },
   falloff: {
     near: 'x',
     far: 'y',
     /** Factors of an attenuation 1 / (constant + linear (1/m) + quadratic (1/m²)). */
     factors: 'xyz',
-    // kinds of attenuationKinds as text: an expression would be code that pages load
+    // numbers of attenuationKinds as text, since an expression would add code to pages
     isNearFar: ['bool', 't.w == 1.0'],
     isPolynomial: ['bool', 't.w == 2.0'],
   },
 } as const satisfies RecordLayout;
 
-/** Offsets of the texels in a record (floats); written out here, so that a page need not load the tables. */
+/** Offsets of the texels in a record (floats); written out, so that pages need not load the tables. */
 export const LIGHT = { sphere: 0, emission: 4, cone: 8, details: 12 } as const satisfies Offsets<typeof lightRecord>;
 export const EXTENSION = {
   diffuse: 0,
@@ -105,7 +108,7 @@ export const EXTENSION = {
 
 /**
  * Fourth number of a local light's `emission`: its decay, coded as below 0 for a light that is not plain.
- * @param decay - as three has it; below 0 light grows with distance, which no plain light does
+ * @param decay - three's `decay`; below 0, light grows with distance, which makes a light not plain
  */
 export function emissionDecay(decay: number, isPlain: boolean): number {
   return isPlain ? decay : -64 - Math.max(decay, -63);

@@ -3,17 +3,17 @@ import type { Light, PointLight } from 'three';
 /** Numbers of one light in `PlainPoints`. */
 export const POINT = 8;
 
-/** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */
+/** Range (m) from which on a light counts as unlimited: its end is invisible, and its square would soon exceed 32-bit floats. */
 const ENDLESS = 1e18;
 
 /**
- * Values of many lights, read once a frame: world position and range (m), colour × intensity, decay; POINT numbers each.
- * The decay is NaN for a light that must be read by its class: it is no point light as three has it, may have a mask, or
- * one of its values is no finite number.
+ * Values of many lights, read once a frame: world position and range (m), colour × intensity, decay; POINT numbers each. The
+ * decay is NaN for a light that must be read by its class: it is not a plain point light of three's, may have a mask, or has a
+ * value that is no finite number.
  */
 export type PlainPoints = Float64Array;
 
-/** Whether a light is a point light as three has it, which nothing masks. */
+/** Whether a light is a point light of three's without Farol's options or a mask. */
 export function isPlainPoint(light: Light): light is PointLight {
   if ((light as PointLight).isPointLight !== true || light.castShadow) return false;
   const { userData } = light;
@@ -22,7 +22,7 @@ export function isPlainPoint(light: Light): light is PointLight {
 
 /**
  * Writes the numbers of a light. `points` must have room for them from `at` on.
- * @returns false for one that must be read by its class
+ * @returns false for a light that must be read by its class
  */
 export function readPoint(light: Light, points: PlainPoints, at: number): boolean {
   points[at + 7] = NaN;
@@ -31,7 +31,7 @@ export function readPoint(light: Light, points: PlainPoints, at: number): boolea
   return writePoint(light, elements[12], elements[13], elements[14], points, at);
 }
 
-/** Writes the numbers of a plain point light at a place (world, m). @returns as `readPoint` */
+/** Writes the numbers of a plain point light at a world-space position (m). @returns as `readPoint` */
 export function writePoint(
   light: PointLight,
   x: number,

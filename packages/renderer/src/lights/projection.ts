@@ -2,8 +2,8 @@ import { coneBoundingSphere } from './spheres';
 import { coneSupport } from './cones';
 
 /**
- * Depth of the near plane (m before the camera; an orthographic one may be below 0). Where the planes are oblique, as in
- * three's mirrors, a depth that is surely before it.
+ * Depth of the near plane (m before the camera; an orthographic one may be below 0). For oblique planes, as in three's mirrors,
+ * a depth certainly in front of the plane.
  * @param m - 16 elements of a projection, column-major, clip z in [-w, w], or reversed, near to far, in [w, 0]
  */
 export function projectionNear(m: ArrayLike<number>): number {
@@ -21,17 +21,17 @@ export function projectionFar(m: ArrayLike<number>): number {
   return m[10] < -1 ? m[14] / (m[10] + 1) : Infinity;
 }
 
-/** three's reversed depth: then alone clip z grows with view z. */
+/** Whether depth is reversed: only then clip z grows with view z. */
 function isReversed(m: ArrayLike<number>): boolean {
   return m[10] >= 0;
 }
 
 /**
- * Smallest and largest slope `lateral / depth`, seen from the origin, of a disc between two depths.
- * The disc must reach into that range, and `near` must be above 0.
+ * Smallest and largest slope `lateral / depth`, seen from the origin, of a disc between two depths. The disc must reach into
+ * that range, and `near` must be above 0.
  * @param lateral - centre (m), with depth
- * @param out - gets least and greatest slope, then the depths (m) at which the tangents to the whole disc touch it, where
- *   0 or less stands for none before the eye
+ * @param out - receives least and greatest slope, then the depths (m) at which the tangents touch the whole disc; 0 or less for
+ *   none before the eye
  * @see Mara and McGuire 2013, 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere
  */
 export function slopeBounds(
@@ -56,7 +56,7 @@ export function slopeBounds(
     out[2] = low * scale;
     out[3] = high * scale;
   }
-  // a tangent that touches outside of the range gives way to the end of the chord there
+  // if a tangent touches outside of the range, the end of the chord at the range's limit is the bound
   if (!(out[2] >= near)) out[0] = (lateral - halfChord(depth - near, radius)) / near;
   else if (out[2] > far) out[0] = (lateral - halfChord(depth - far, radius)) / far;
   if (!(out[3] >= near)) out[1] = (lateral + halfChord(depth - near, radius)) / near;
@@ -71,10 +71,9 @@ export function halfChord(distance: number, radius: number): number {
 const bounds = new Float64Array(4);
 
 /**
- * The rectangle on screen of the part of a sphere between near and far plane; exact, also with the camera inside the
- * sphere.
- * @param spheres - centre in view space (m) and radius (m, 0 to Infinity): 4 numbers at `at`. An array and a place in it
- *   spare the engine four boxed numbers a call
+ * The rectangle on screen of the part of a sphere between near and far plane; exact, also with the camera inside the sphere.
+ * @param spheres - centre in view space (m) and radius (m, 0 to Infinity): 4 numbers at `at`. An array and an index, since
+ *   engines may box number arguments
  * @param projection - 16 elements, column-major: perspective (also off-centre, also without far plane) or orthographic
  * @param out - gets left, bottom, right, top in normalized device coordinates; they may lie outside of -1..1
  * @returns false, with `out` undefined, when the sphere is wholly outside of the frustum's planes
@@ -96,7 +95,7 @@ export function projectedSphereBounds(
   if (!(radius - z >= near && -z - radius <= far)) return false;
   let left: number, right: number, bottom: number, top: number;
   if (m[11] === 0) {
-    // with the centre beyond near or far plane, less than half of the sphere is left: no wider than its disc on the plane
+    // with the centre beyond near or far plane, less than half of the sphere is left, no wider than its disc on the plane
     const reach = halfChord(-z < near ? near + z : Math.max(0, -z - far), radius);
     left = (x - reach) * m[0] + m[12];
     right = (x + reach) * m[0] + m[12];
@@ -110,7 +109,7 @@ export function projectedSphereBounds(
     bottom = bounds[0] * m[5] - m[9];
     top = bounds[1] * m[5] - m[9];
   }
-  // a projection that mirrors swaps left and right
+  // a mirroring projection swaps left and right
   out[0] = Math.min(left, right);
   out[1] = Math.min(bottom, top);
   out[2] = Math.max(left, right);
@@ -124,8 +123,8 @@ const slopes = new Float64Array(2);
 const tangents = new Float64Array(4);
 
 /**
- * The rectangle on screen of a spot light's cone, which ends in a cap of its range's sphere. Exact for the whole cone
- * where that lies beyond the near plane; else the common part of the rectangles of two spheres round it.
+ * The rectangle on screen of a spot light's cone, which ends in a cap of its range's sphere. Exact for the whole cone if it lies
+ * beyond the near plane; else the intersection of the rectangles of two bounding spheres.
  * @param x - apex in view space (m), with y and z
  * @param dx - unit axis from the apex into the cone, with dy and dz
  * @param range - (m), finite
@@ -189,7 +188,7 @@ function intersect(axis: 0 | 1, a: number, b: number): void {
 
 /**
  * Smallest and largest slope of a cone wholly before the eye: a tangent touches the apex, the rim of the cap, or the cap.
- * @param lateral - apex (m), with depth; the axis by its parts in the same plane
+ * @param lateral - apex (m), with `depth`; the axis by its components in the same plane
  */
 function coneSlopes(
   lateral: number,

@@ -1,6 +1,6 @@
 /**
- * Named values of a texel's four numbers: which of the numbers a value is (`'xyz'`), or its type in GLSL and an
- * expression in which `t` is the texel.
+ * Named values in a texel's four numbers: components of the texel (`'xyz'`), or a GLSL type and an expression in which `t` is
+ * the texel.
  */
 export type TexelValues = Readonly<Record<string, string | readonly [type: string, expression: string]>>;
 

@@ -8,7 +8,7 @@ const coneSphere = new Float64Array(4);
 
 const origin = new Vector3();
 
-/** Puts into `axis` the unit vector from a light's target to the light, in view space. @returns `axis` */
+/** Writes the unit vector from a light's target to the light, in view space, to `axis`. @returns `axis` */
 export function lightAxis(light: DirectionalLight | SpotLight, view: Matrix4, axis: Vector3): Vector3 {
   origin.setFromMatrixPosition(light.matrixWorld);
   axis.setFromMatrixPosition(light.target.matrixWorld);
@@ -47,9 +47,9 @@ export function sphereOutsidePlanes(planes: Float64Array, x: number, y: number, 
 }
 
 /**
- * Share of the picture that a sphere covers, roughly, 0 to 1.
- * @param depth - of its centre before the camera (m)
- * @param radius - (m)
+ * Approximate share of the picture that a sphere covers, 0 to 1.
+ * @param depth - depth of its centre before the camera (m)
+ * @param radius - radius (m)
  * @param projection - 16 elements, column-major
  */
 export function sphereCoverage(depth: number, radius: number, projection: ArrayLike<number>): number {
@@ -64,7 +64,7 @@ export function sphereCoverage(depth: number, radius: number, projection: ArrayL
  * @param dx - unit axis from the apex into the cone, with dy and dz
  * @param range - length of the sides (m)
  * @param angle - half the opening (rad), 0 to π/2
- * @param out - gets centre and radius
+ * @param out - receives centre and radius
  * @see Wronski 2017, Cull that cone
  */
 export function coneBoundingSphere(
@@ -87,14 +87,14 @@ export function coneBoundingSphere(
   return out;
 }
 
-/** View space of a camera, and how much of its picture is covered by what was bounded since `begin`. */
+/** View space of a camera, and the share of its picture covered by lights bounded since `begin`. */
 export class ViewSpace {
   view = new Matrix4();
   /** 16 elements, column-major. */
   projection: ArrayLike<number> = [];
   /** Planes of `viewFrustumPlanes`. */
   readonly planes = new Float64Array(24);
-  /** Sum of the shares of the picture that spheres cover: how many lie over a pixel, whatever its depth. */
+  /** Mean number of spheres over a pixel, at any depth: sum of the shares of the picture that they cover. */
   coverage = 0;
 
   begin(camera: Camera): void {
@@ -106,10 +106,10 @@ export class ViewSpace {
 }
 
 /**
- * Bounds what a light with a range lights; a spot light by its cone too.
- * @param bounds - view-space sphere [x, y, z, r] (m) at `at`: the range r is there before, the rest is written
- * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; [0, 0, 1, -1] for a sphere
- * @returns false for a light that reaches nothing that is seen
+ * Bounds the space that a light with a range lights; for a spot light by its cone too.
+ * @param bounds - view-space sphere [x, y, z, r] (m) at `at`: the range r is set before, the rest is written
+ * @param axes - receives the view-space [axis to the light, cosine of the cutoff] at `at`; [0, 0, 1, -1] for a sphere
+ * @returns false for a light whose range the camera does not see
  */
 export function boundLight(
   light: Light,
@@ -136,7 +136,7 @@ export function boundLight(
   return boundCone(light as SpotLight, space, bounds, axes, at);
 }
 
-/** Bounds a spot light by its cone, once its sphere is there. @returns as `boundLight` */
+/** Bounds a spot light by its cone, after its sphere. @returns as `boundLight` */
 function boundCone(light: SpotLight, space: ViewSpace, bounds: Float64Array, axes: Float64Array, at: number): boolean {
   const { angle } = light;
   const { x, y, z } = lightAxis(light, space.view, lightward);

@@ -1,11 +1,11 @@
 interface LightLoopTraits {
   /** Whether neighbouring pixels may loop over different lights, so that derivatives in the loop are undefined. */
   readonly perPixel: boolean;
-  /** Whether few lights may be uniforms (fewLights.glsl), in place of the light table's texture. Default false. */
+  /** Whether few lights may be read from uniforms (fewLights.glsl) in place of the light table's texture. Default false. */
   readonly readsFew?: boolean;
 }
 
-/** The microshaders that define FAROL_FOR_EACH_LIGHT; README.md beside this file says which technique may use which. */
+/** The microshaders that define FAROL_FOR_EACH_LIGHT. */
 export const lightLoops = {
   lightLoopNone: { perPixel: false },
   lightLoopOne: { perPixel: false },

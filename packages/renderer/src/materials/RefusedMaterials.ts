@@ -1,7 +1,7 @@
 import type { Material, Object3D, ShaderMaterial } from 'three';
 import { threeChunks } from '../three/ThreeChunks';
 
-/** Number of frames for which three keeps lighting a scene after its last refused material went out of view. */
+/** Number of frames for which three still lights a scene after its last refused material left the view. */
 const KEPT_FRAMES = 600;
 
 /** Matches GLSL that reads three's arrays of lights or its ambient light. */
@@ -10,8 +10,8 @@ const READS_LIGHTS = /\b(directional|point|spot|hemisphere)Lights\b|ambientLight
 const versionOf = ({ version }: Material) => version * 65536 + threeChunks.revision;
 
 /**
- * Materials whose shaders the host has changed so that Farol's light loop has no place: only three's own lights are
- * right for them. three lights all of a scene that shows one.
+ * Materials whose shaders the host has changed so that Farol's light loop cannot be inserted: only three's own lights light
+ * them. A scene with such a material is lit by three.
  */
 export class RefusedMaterials {
   private readonly versions = new WeakMap<Material, number>();
@@ -25,7 +25,7 @@ export class RefusedMaterials {
     this.hasDrawn = true;
   }
 
-  /** Whether Farol cannot light a material, which is unchanged since that was found. */
+  /** Whether Farol was unable to light a material, which has not changed since. */
   has(material: Material): boolean {
     if (this.versions.get(material) !== versionOf(material)) return false;
     return (this.hasDrawn = true);
@@ -41,13 +41,13 @@ export class RefusedMaterials {
     if (reader.reads) this.hasDrawn = true;
   }
 
-  /** Begins a frame. @returns whether three is to light the scene */
+  /** Begins a frame. @returns whether three must light the scene */
   begin(scene: Object3D): boolean {
     this.hasDrawn = false;
     return (this.scenes.get(scene) ?? 0) > 0;
   }
 
-  /** Ends a frame. @returns whether it has to be drawn once more, with three's lights */
+  /** Ends a frame. @returns whether it must be drawn again, with three's lights */
   end(scene: Object3D, isLitByThree: boolean): boolean {
     const left = this.hasDrawn ? KEPT_FRAMES : (this.scenes.get(scene) ?? 0) - 1;
     if (this.hasDrawn || isLitByThree) this.scenes.set(scene, left);

@@ -3,15 +3,15 @@ import { createTwin, type TwinContext } from './createTwin';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind } from './TwinKind';
 
-/** Twins by source and kind. A twin is disposed with its source, and all of them with the cache. */
+/** Twins by source material and kind. A twin is disposed with its source, and all with the cache. */
 export class TwinCache {
   private readonly twins = new WeakMap<Material, Map<TwinKind, Material>>();
   private readonly sources = new Map<number, WeakRef<Material>>();
 
   private revision = 0;
-  /** Frames in a row that began with changed shaders. */
+  /** Number of frames in a row that began with changed shaders. */
   private changes = 0;
-  /** The twin given last, with its source and kind: most draws follow one of the same material. */
+  /** Source, kind and twin of the last `get`: most draws have the same material as the draw before. */
   private lastSource: Material | null = null;
   private lastKind!: TwinKind;
   private lastTwin!: Material;
@@ -33,7 +33,7 @@ export class TwinCache {
     return (this.lastTwin = twin);
   }
 
-  /** Begins a frame: twins of shaders that the page has changed since are made anew. */
+  /** Begins a frame. Drops all twins if the page has changed three's shader chunks. */
   begin(): void {
     threeChunks.follow(this.revision > 0);
     const isChanged = this.revision !== threeChunks.revision;
@@ -42,7 +42,7 @@ export class TwinCache {
     this.revision = threeChunks.revision;
   }
 
-  /** Whether a twin compiled in this frame met shaders that the page has changed: the frame is to be drawn once more. */
+  /** Whether the page changed shaders during this frame, so that it must be drawn again. */
   get isOutdated(): boolean {
     return this.revision !== threeChunks.revision && this.changes < 2;
   }

@@ -21,13 +21,11 @@ export interface TwinContext {
   readonly uniforms: Record<string, { value: unknown }>;
   /** Microshaders of the renderer. */
   readonly microshaders: Pick<MicroShaderRegistry, 'header' | 'revision' | 'textKey'>;
-  /** Called for a source whose shader has no place for a kind's patch: its twin draws by three's lights alone. */
+  /** Called for a source in whose shader a kind's patch cannot be inserted: its twin is lit only by three. */
   refuse(source: Material): void;
 }
 
-/**
- * Replaces three's light uniforms by those of Farol's frames, for shader materials that share the source's uniforms.
- */
+/** Replaces three's light uniforms, for shader materials that share their uniforms object with the source. */
 function ownLights(uniforms: TwinShader['uniforms']): TwinShader['uniforms'] {
   const own: TwinShader['uniforms'] = {};
   for (const name in UniformsLib.lights) if (name in uniforms) own[name] = { ...uniforms[name] };
@@ -36,9 +34,7 @@ function ownLights(uniforms: TwinShader['uniforms']): TwinShader['uniforms'] {
 
 const NOTHING = () => undefined;
 
-/**
- * A twin inherits every property of its source, live, and has programs of its own. Nothing is written to the source.
- */
+/** Makes a twin: inherits every property of its source, live, and has its own programs. Writes nothing to the source. */
 export function createTwin(source: Material, kind: TwinKind, context: TwinContext): Material {
   const twin = standInOf(source, BaseMaterial.prototype);
   const chunks = kind.chunks(source);
@@ -47,12 +43,12 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     source.version +
     registry.revision(chunks) +
     (surfacesOf(source)?.version(registry) ?? 0) +
-    // fraction, so that it lies between two versions of the source
+    // a fraction, so that it differs from all versions of the source
     (shadingOf(source) === 'flat' ? 0.5 : 0);
   const customProgramCacheKey = () =>
     `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`;
   const onBeforeCompile = (shader: TwinShader, webgl: WebGLRenderer) => {
-    // the page may have changed shaders for this material, which three takes up now
+    // the page may have changed three's chunks for this material, which three compiles now
     threeChunks.follow();
     const before = { ...shader.uniforms };
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
@@ -74,9 +70,9 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   };
   return Object.defineProperties(twin, {
     id: { value: new BaseMaterial().id },
-    // three's switch of sides on transparent materials must not reach the source; Frame draws the sides by twins
+    // three switches the side of transparent materials, which must not change the source; Frame draws both sides by twins
     version: { get: version, set: NOTHING },
-    // three takes the flag down after a draw: Frame does so on the source, when its twin was drawn
+    // three resets the flag after a draw; Frame resets the source's, once its twin is drawn
     ...('uniformsNeedUpdate' in source && {
       uniformsNeedUpdate: { get: () => (source as ShaderMaterial).uniformsNeedUpdate, set: NOTHING },
     }),

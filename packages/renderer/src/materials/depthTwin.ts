@@ -3,7 +3,7 @@ import { hasNodes } from '../three/hasNodes';
 import { afterChunkOrAtEnd } from '../three/replaceChunk';
 import type { TwinKind, TwinShader } from './TwinKind';
 
-/** Writes depth alone, by three's own vertex stage and those parts of the fragment stage that may discard. */
+/** Twin that writes only depth, by three's vertex shader and those parts of the fragment shader that may discard. */
 export const depthTwin: TwinKind = {
   key: 'depth',
   chunks: () => [],
@@ -14,21 +14,21 @@ export const depthTwin: TwinKind = {
   },
 };
 
-/** Depth twin pushed back by some rounding steps, so that a later draw at equal depth is not hidden. */
+/** Depth twin offset backwards by some rounding steps, so that a later draw at equal depth is not hidden. */
 export const depthBehindTwin: TwinKind = {
   ...depthTwin,
   properties: { colorWrite: false, polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: 4 },
 };
 
 /**
- * True for materials of which the depth twin can be made. False for offsets of more than one unit: units differ between
- * depth of 24 bits and of floats.
+ * True for materials for which the depth twin works. False for polygon offsets of more than one unit, which differ between
+ * 24-bit and float depth.
  */
 export function hasDepthTwin(material: Material): boolean {
   return !(material.polygonOffset && material.polygonOffsetUnits > 1) && hasDistanceTwin(material);
 }
 
-/** Whether a twin of the material can write depth, or distance, in its own shader. */
+/** Whether a twin can write depth, or distance, in the material's shader. */
 export function hasDistanceTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };
   const { side } = m;

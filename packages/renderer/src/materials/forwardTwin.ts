@@ -6,14 +6,14 @@ import type { LightLoop } from './LightLoop';
 const OPAQUE = '#include <opaque_fragment>';
 const DIRECT_LIGHT = 'reflectedLight.directDiffuse + reflectedLight.directSpecular;';
 
-/** Rewrites a shader to show direct light alone, with its own tone mapping, colour space and fog. */
+/** Rewrites a shader to output only direct light, with tone mapping, colour space and fog. */
 function onlyDirect(text: string): string {
   return text.replace(OPAQUE, `outgoingLight = ${DIRECT_LIGHT}\n${OPAQUE}`);
 }
 
 const COUNT = 'gl_FragColor = vec4(farol_heatMap(farol_lightsEvaluated * farol_heatScale), 1.0);';
 
-/** Variants of a forward kind by side: the source's own, and the two halves of a transparent double-sided draw. */
+/** Variants of a forward kind by side: the source's own side, and back and front of a transparent double-sided draw. */
 export interface ForwardTwins {
   readonly whole: TwinKind;
   readonly back: TwinKind;
@@ -21,9 +21,10 @@ export interface ForwardTwins {
 }
 
 /**
- * Lit materials shaded in one draw by all lights that the loop visits.
- * @param adapt - makes of each kind what is used in its place
- * @returns the twins of a view by its name; views but 'lighting' and 'light-count' have those of the final picture
+ * Twins of lit materials, shaded in one draw by all lights of a loop.
+ * @param adapt - returns the replacement of each kind
+ * @returns function that returns the twins of a view; views other than 'lighting' and 'light-count' have those of the final
+ *   picture
  */
 export function forwardTwins(
   loop: LightLoop,

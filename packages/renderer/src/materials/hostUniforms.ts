@@ -4,20 +4,20 @@ import { compiledUniforms } from '../three/handles';
 type Uniforms = Record<string, IUniform>;
 
 /**
- * The uniforms that the page's callback has added to a material's shader, by material. A page keeps the shader that it was
- * given last and sets the uniforms of that: three draws the material by them, whatever programs it has, and so do all twins.
+ * Uniforms that the page's `onBeforeCompile` has added, by material. A page keeps the shader object of the last call and sets
+ * its uniforms: three draws all programs of the material with these, and so must all twins.
  */
 const added = new WeakMap<Material, Uniforms>();
 /** Entry of `added` whose uniforms stock three draws the material with. */
 const followed = new WeakMap<Material, Uniforms>();
 
 /**
- * @param before - the uniforms of a twin's shader as three has made them
- * @param after - these uniforms after the page's callback was called
+ * @param before - uniforms of a twin's shader, as made by three
+ * @param after - these uniforms after the page's callback
  * @returns uniforms of the twin: three's, with those of the page's last shader as prototype
  */
 export function withHostUniforms(webgl: WebGLRenderer, source: Material, before: Uniforms, after: Uniforms): Uniforms {
-  // uniforms of a ShaderMaterial are the page's own, which may replace them at any time
+  // uniforms of a ShaderMaterial belong to the page, which may replace them at any time
   if ('uniforms' in source) return Object.create(after) as Uniforms;
   let own = added.get(source);
   if (own === undefined) added.set(source, (own = {}));

@@ -8,7 +8,7 @@ type AnyMaterial = Material & {
   isShaderMaterial?: boolean;
 };
 
-/** True for materials that three lights one by one: the built-in ones, and shader materials that take its lights chunk. */
+/** True for materials lit by three's light loop: the built-in ones, and shader materials that include its lights chunk. */
 export function isLit(material: Material): boolean {
   const m = material as AnyMaterial;
   if (m.isMeshStandardMaterial || m.isMeshLambertMaterial || m.isMeshPhongMaterial || m.isMeshToonMaterial) return true;

@@ -1,6 +1,9 @@
 import { beforeLastBrace } from '../three/beforeLastBrace';
 
-/** WebGL 2 has at least 16 vertex attributes; three's own materials need fewer, and objectAttribute.ts has the last. */
+/**
+ * Last but one of the 16 vertex attributes that WebGL 2 guarantees; objectAttribute.ts uses the last, three's materials need
+ * fewer.
+ */
 const LOCATION = 14;
 
 const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_layersAttribute;\nflat out highp vec2 farol_objectLayers;\n`;
@@ -15,7 +18,7 @@ export function setLayers(gl: WebGL2RenderingContext, mask: number): void {
   gl.vertexAttrib2f(LOCATION, mask & 0xffff, mask >>> 16);
 }
 
-/** Resets the attribute to its value in a new context. */
+/** Resets the attribute to WebGL's initial value. */
 export function resetLayers(gl: WebGL2RenderingContext): void {
   gl.vertexAttrib4f(LOCATION, 0, 0, 0, 1);
 }

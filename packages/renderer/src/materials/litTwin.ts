@@ -15,31 +15,31 @@ export interface LitTwinOptions {
   readonly isSum?: boolean;
   readonly loop: LightLoop;
   readonly chunks?: readonly string[];
-  /** Whether to shade light by light even if sums would do. Default false. */
+  /** Whether to shade light by light even if sums over lights would suffice. Default false. */
   readonly oneByOne?: boolean;
   readonly properties?: TwinKind['properties'];
-  /** Whether three's own light loops stay. Default true. */
+  /** Whether to keep three's own light loops. Default true. */
   readonly withThreeLights?: boolean;
   readonly variant?: (source: Material) => string;
-  /** Statements put at the very end of main(), where gl_FragColor is complete. */
+  /** Statements added at the end of main(), where gl_FragColor is complete. */
   readonly atEnd?: string;
   /** Last rewrite of the fragment shader. */
   readonly rewrite?: (fragmentShader: string, source: Material) => string;
 }
 
-/** Declared outside of main(), which the host may have renamed. */
+/** GLSL declaration of the counter, put outside of main(), which the host may have renamed. */
 const COUNT = 'float farol_lightsEvaluated;\n';
-/** Define by which a shader's header includes the code of light layers. */
+/** Define that marks a header with the code of light layers. */
 const LAYERS = '#define FAROL_LAYERS';
 
-/** Turns the disk of three's own soft shadows by the pixel of the host's target. */
+/** Rotates the disk of three's own soft shadows by the pixel's position in the host's target. */
 function shadowsInTarget(text: string): string {
   if (findChunk(text, 'shadowmap_pars_fragment') === null) return text;
   const pars = ShaderChunk.shadowmap_pars_fragment.replaceAll('gl_FragCoord.xy', 'farol_targetPixel()');
   return replaceChunk(text, 'shadowmap_pars_fragment', () => pars);
 }
 
-/** Makes a kind of twin for lit materials: three's shader with Farol's light loop in it. */
+/** Makes a kind of twin for lit materials: three's shader with Farol's light loop. */
 export function litTwin(options: LitTwinOptions): TwinKind {
   const chunksOf = (loop: LightLoop, oneByOne: boolean) => [
     ...('readsFew' in lightLoops[loop] ? ['fewLights'] : []),
@@ -58,7 +58,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
     ...(options.role && { role: options.role }),
     ...(options.isSum && { isSum: true }),
     chunks(source) {
-      // the host's own changes of three's lighting functions count, and those of the page
+      // shades light by light if the material or the page may have changed three's lighting functions
       const own = threeChunks.shading || source.onBeforeCompile !== Material.prototype.onBeforeCompile;
       const { isMeshToonMaterial } = source as Material & { isMeshToonMaterial?: boolean };
       if (isMeshToonMaterial) return own ? ownToonChunks : toonChunks;
@@ -69,7 +69,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
     patch(shader: TwinShader, source: Material, header: string) {
       const { fragmentShader } = shader;
       const isThrees = (source as Material & { isShaderMaterial?: boolean }).isShaderMaterial !== true;
-      // shadow look-ups that the host has changed are left to three
+      // three lights materials in which the host has changed shadow look-ups
       if (isThrees && findChunk(fragmentShader, 'shadowmap_pars_fragment') === null) throw new TwinRefusal();
       const normal = findChunk(fragmentShader, 'normal_pars_fragment') === null ? '' : '#define FAROL_VERTEX_NORMAL\n';
       const layers = header.includes(LAYERS);

@@ -1,7 +1,7 @@
 import { AddEquation, CustomBlending, GLSL3, OneFactor, type Material, type ShaderMaterial } from 'three';
 import type { TwinKind, TwinShader } from './TwinKind';
 
-/** Adds one to each pixel that the material would have shaded. */
+/** Twin that adds one to each pixel that the material would have shaded. */
 export const overdrawTwin: TwinKind = {
   key: 'overdraw',
   chunks: () => [],
@@ -20,7 +20,7 @@ export const overdrawTwin: TwinKind = {
   },
 };
 
-/** False for shader materials that write outputs of their own. */
+/** False for shader materials that write their own outputs. */
 export function canCountOverdraw(material: Material): boolean {
   const shader = material as ShaderMaterial & { isRawShaderMaterial?: boolean };
   return shader.isRawShaderMaterial !== true && shader.glslVersion !== GLSL3;

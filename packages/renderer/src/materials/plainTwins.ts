@@ -1,10 +1,10 @@
 import { BackSide, FrontSide } from 'three';
 import type { TwinKind } from './TwinKind';
 
-/** An unlit material as it is, for effects that draw it otherwise. */
+/** Unchanged twin of an unlit material, for effects to adapt. */
 export const plainWhole: TwinKind = { key: 'plain', chunks: () => [], patch: () => undefined };
 
-/** The two halves of an unlit transparent double-sided material, so that its side need not be switched on the host's. */
+/** Back and front of an unlit transparent double-sided material, so that the host's `side` need not be switched. */
 export const plainBack: TwinKind = {
   key: 'back',
   chunks: () => [],

@@ -3,7 +3,7 @@ import type { Material } from 'three';
 /** Evaluation of light over a triangle: once, at its corners, or in each pixel. */
 export type ShadingName = 'flat' | 'gouraud' | 'phong';
 
-/** The shading that `setShading` gave a material; undefined for none. */
+/** Shading of a material set by `setShading`; undefined for none. */
 export const shadingOf = (material: Material): ShadingName | undefined =>
   (material.userData.farol as { shading?: ShadingName } | undefined)?.shading;
 

@@ -2,7 +2,7 @@ import type { Material, WebGLRenderer } from 'three';
 import type { MicroShaderRegistry } from '../microshaders';
 import type { TwinShader } from './TwinKind';
 
-/** Surfaces (GLSL hooks) that one material uses. Made by `setSurface` of the entry `surfaces` alone. */
+/** Surfaces (GLSL hooks) that one material uses. Made only by `setSurface` of the entry `surfaces`. */
 export interface WornSurfaces {
   /** Whether a surface of the material displaces vertices. */
   readonly displaces: boolean;
@@ -16,18 +16,18 @@ export interface WornSurfaces {
   /** Number that changes when a GLSL text, uniform value or time changes the colours of pixels. */
   colourVersion(): number;
   shapeVersion(): number;
-  /** Writes the animation time (s) of each surface to a list. */
+  /** Writes the animation time (s) of each surface to `times`. */
   copyTimes(times: number[]): void;
   /** Greatest displacement of vertices (m, in the object's own space); Infinity if a surface does not declare it. */
   reach(): number;
-  /** Sets each surface's animation time (s) of the frame before, from which motion vectors are computed. */
+  /** Sets each surface's animation time (s) in the last frame, for motion vectors. */
   setTimesBefore(times: readonly number[]): void;
 }
 
 const worn = new WeakMap<Material, WornSurfaces>();
 let hasSurfaces = false;
 
-/** Surfaces of a host's material; a material made with another one as its prototype inherits that one's. */
+/** Surfaces of a host's material, inherited from a material that is its prototype. */
 export function surfacesOf(material: Material | null): WornSurfaces | undefined {
   return hasSurfaces && material ? (worn.get(material) ?? inherited(material)) : undefined;
 }
@@ -41,7 +41,7 @@ function inherited(material: Material): WornSurfaces | undefined {
 /** Surfaces of a material, without those of a prototype. */
 export const ownSurfacesOf = (material: Material): WornSurfaces | undefined => worn.get(material);
 
-/** Sets the surfaces of a material. Called by the entry `surfaces` alone. */
+/** Sets the surfaces of a material. Called only by the entry `surfaces`. */
 export function wearSurfaces(material: Material, surfaces: WornSurfaces): void {
   hasSurfaces = true;
   worn.set(material, surfaces);

@@ -1,4 +1,4 @@
-/** Stages of a shader that a microshader is for. */
+/** Shader stages that may include a microshader. */
 export type MicroShaderStage = 'vertex' | 'fragment' | 'both';
 
 /**
@@ -8,7 +8,7 @@ export type MicroShaderStage = 'vertex' | 'fragment' | 'both';
 export interface MicroShader {
   /** Name, of letters, digits and `_ - . /`. */
   readonly name: string;
-  /** GLSL put before `main()`, once in a shader; `#include "name"` lines in it are dependencies. */
+  /** GLSL inserted once before `main()`; its `#include "name"` lines are dependencies. */
   readonly header: string;
   /** Statements that the chunk adds to `main()`; '' for none. */
   readonly main: string;

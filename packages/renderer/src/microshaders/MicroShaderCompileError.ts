@@ -1,6 +1,6 @@
 import { explainCompileError, type MicroShaderCompileEntry } from './explainCompileError';
 
-/** A shader that the driver refused, with the driver's messages by microshader and line. */
+/** Error for a shader that the driver refused, with the driver's messages by microshader and line. */
 export class MicroShaderCompileError extends Error {
   override readonly name = 'MicroShaderCompileError';
   readonly entries: readonly MicroShaderCompileEntry[];

@@ -13,11 +13,11 @@ export interface MicroShaderRegistryOptions<Program> {
   compiler?: MicroShaderCompiler<Program>;
 }
 
-/** Gets the name of a replaced chunk, then those of all chunks that depend on it. */
+/** Listener, called with the name of a replaced chunk and those of all chunks that depend on it. */
 export type MicroShaderListener = (names: readonly string[]) => void;
 
 /**
- * Microshaders by name: composes shaders of them, compiles and caches these, and replaces chunks while shaders run.
+ * Microshaders by name: composes, compiles and caches shaders, and replaces chunks while shaders run.
  * @see thesis 3.1.2 and 3.2.6
  */
 export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderSource {
@@ -26,16 +26,16 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly shaders: ShaderCache<Program>;
   private readonly listeners = new Set<MicroShaderListener>();
   private readonly checks = new Set<MicroShaderListener>();
-  /** Chunks by name: those that `replace` has replaced (undefined: the parent's), and those that `swap` has put in. */
+  /** Chunks set by `replace` or `swap`, by name; undefined: the parent's is restored. */
   private readonly edited = new Map<string, MicroShader | undefined>();
   private readonly swapped = new Map<string, MicroShader>();
   private replacements = 0;
-  /** Number of each chunk's last replacement, and of the last one among the chunk and its dependencies. */
+  /** Revision of each chunk's last replacement, and cache of the latest one among chunks and their dependencies. */
   private readonly replacedAt = new Map<string, number>();
   private readonly revisions = new WeakMap<readonly string[], { at: number; revision: number }>();
   private readonly textKeys = new WeakMap<readonly string[], { revision: number; key: string }>();
 
-  /** @param parent - chunks known besides those added; must not change */
+  /** @param parent - registry with further chunks, which must not change */
   constructor(
     private readonly parent: MicroShaderSource | null = null,
     options: MicroShaderRegistryOptions<Program> = {},
@@ -51,7 +51,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return this.get(name) !== undefined;
   }
 
-  /** All known names, the parent's first. */
+  /** All names, the parent's first. */
   names(): string[] {
     return [...new Set([...(this.parent?.names() ?? []), ...this.ownChunks.keys()])];
   }
@@ -72,8 +72,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Adds one chunk from the text of a `.glsl` file; its form is that of `parseMicroShader`.
-   * @param isEdit - the text is an edit: a chunk of this name that code brings later is drawn with after `remove`
+   * Adds one chunk from the text of a `.glsl` file, in the form of `parseMicroShader`.
+   * @param isEdit - whether the text is an edit of a chunk that late code adds later, and that `remove` then restores
    */
   loadGLSL(name: string, text: string, isEdit = false): void {
     this.add(parseMicroShader(name, text));
@@ -82,23 +82,23 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     this.replacedAt.set(name, ++this.replacements);
   }
 
-  /** Whether a chunk is an edit of one that no code has brought yet. */
+  /** Whether a chunk is an edit of one that late code has not added yet. */
   isEarly(name: string): boolean {
     return this.edited.has(name) && !this.edited.get(name) && !this.original(name);
   }
 
   /**
-   * Adds the chunks of the thesis's XML, whose reader is fetched when first asked for; its form is that of
-   * `parseMicroShaderXML` of `@farol/renderer/authoring`.
-   * @param file - named in errors
-   * @returns their names
+   * Adds the chunks of the thesis's XML, in the form of `parseMicroShaderXML` of `@farol/renderer/authoring`; the parser is late
+   * code.
+   * @param file - name of the file, for errors
+   * @returns names of the chunks
    * @throws Error with file, and line where it has one; then none is added
    */
   async loadXML(text: string, file = 'microshaders'): Promise<readonly string[]> {
     return (await import('./xml/loadXML')).loadXML(this, text, file);
   }
 
-  /** Loads an XML file as `loadXML` does, once: asked again it gives the same promise, unless loading failed. */
+  /** Fetches an XML file and adds its chunks, once: later calls return the same promise, unless loading failed. */
   loadXMLFile(url: string): Promise<readonly string[]> {
     let names = this.files.get(url);
     if (names === undefined) {
@@ -110,15 +110,15 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * The headers of these chunks and of all they depend on, each once, dependencies first, each between lines
-   * `// <name>` and `// </name>`.
+   * Headers of these chunks and all their dependencies, each once, dependencies first, each between lines `// <name>` and
+   * `// </name>`.
    * @throws Error for unknown names and cycles, with the path (`a -> b -> a`)
    */
   header(names: readonly string[]): string {
     return composeHeaders(names, this);
   }
 
-  /** Whole shaders: headers as `header` gives them, then `main()` of the main parts in the order of the lists. */
+  /** Whole shaders: the headers of `header`, then `main()` with the main parts in the order of the lists. */
   compose(
     vertexChunks: readonly string[],
     fragmentChunks: readonly string[],
@@ -130,9 +130,9 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * The shader of this name, composed and compiled when it is first asked for, then always the same object.
+   * The shader of this name, composed and compiled by the first call; later calls return the same object.
    * @param xmlUrl - file to load when a chunk is unknown: only then is a promise returned, so `await` the result
-   * @throws Error when the name stands for other chunks already; MicroShaderCompileError when it does not compile
+   * @throws Error when the name belongs to other chunks already; MicroShaderCompileError when it does not compile
    */
   getShader(name: string, vertexChunks: readonly string[], fragmentChunks: readonly string[]): Shader<Program>;
   getShader(
@@ -152,16 +152,16 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return known || xmlUrl === undefined ? shader() : this.loadXMLFile(xmlUrl).then(shader);
   }
 
-  /** Chunk of a name in the parent, or that code brought after its edit; undefined when there is none. */
+  /** Unedited chunk of a name: the parent's, or one that late code added after its edit; undefined when there is none. */
   original(name: string): MicroShader | undefined {
     return this.parent?.get(name) ?? (this.edited.has(name) ? this.swapped.get(name) : undefined);
   }
 
   /**
-   * Replaces a known chunk. All shaders that use the chunk, directly or not, are composed and compiled anew, and the
-   * checks run; if any of that fails, nothing changes and the error is thrown.
+   * Replaces a known chunk. All shaders that use the chunk, directly or indirectly, are recompiled, and the checks run; if any
+   * of this fails, nothing changes and the error is thrown.
    * @param content - text of a `.glsl` file, or a chunk of the same name
-   * @throws MicroShaderCompileError with chunk and line; Error for unknown names, cycles and what a check throws
+   * @throws MicroShaderCompileError with chunk and line; Error for unknown names and cycles; errors of checks
    */
   replace(name: string, content: string | MicroShader): void {
     const chunk = typeof content === 'string' ? parseMicroShader(name, content) : completeMicroShader(content);
@@ -175,8 +175,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Removes a chunk that was added here, or restores the parent's chunk; all or nothing, as `replace`.
-   * @throws Error when there is no such chunk of its own, or another one or a shader needs it
+   * Removes a chunk added to this registry, or restores the parent's; like `replace`, changes nothing if it fails.
+   * @throws Error when the registry has no such chunk of its own, or another chunk or a shader needs it
    */
   remove(name: string): void {
     const before = this.swapped.get(name);
@@ -188,7 +188,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     this.edited.delete(name);
   }
 
-  /** A chunk, then all that depend on it, directly or not. */
+  /** A chunk's name, then those of all that depend on it, directly or indirectly. */
   usersOf(name: string): string[] {
     const names = this.names();
     const users = new Set([name]);
@@ -200,8 +200,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Replaces a chunk by the content of another that is known to compile; an edited chunk once the edit is undone.
-   * Programs that use the chunk compile anew at their next draw. No check runs.
+   * Replaces a chunk by the content of another that is known to compile; for an edited chunk, once the edit is undone. Programs
+   * that use the chunk are recompiled at their next draw. No check runs.
    */
   swap(name: string, other: string | MicroShader): void {
     const content = typeof other === 'string' ? this.get(other) : other;
@@ -219,7 +219,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   revision(names: readonly string[]): number {
     const { replacements: at } = this;
     if (at === 0) return 0;
-    // asked for at each draw
+    // cached, since it is read at each draw
     let known = this.revisions.get(names);
     if (known?.at !== at) {
       const all = [...this.withDependencies(names)];
@@ -230,8 +230,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Key of the texts of these chunks; empty while none of them is replaced. Registries that share a WebGLRenderer,
-   * which shares programs by key, get different keys for different texts.
+   * Key of the texts of these chunks; empty while none of them is replaced. Differs for different texts, since a WebGLRenderer,
+   * which registries may share, shares programs by key.
    */
   textKey(names: readonly string[]): string {
     const revision = this.revision(names);
@@ -244,27 +244,28 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return known.key;
   }
 
-  /** Calls back after each replacement. @returns function that ends the calls */
+  /** Adds a listener, called after each replacement. @returns function that removes it */
   onChange(listener: MicroShaderListener): () => void {
     this.listeners.add(listener);
     return () => void this.listeners.delete(listener);
   }
 
   /**
-   * Calls back before each replacement takes effect, when `header` and `compose` give the new text already: a check that
-   * throws (its program does not compile) prevents the replacement. @returns function that ends the calls
+   * Adds a check, called before each replacement takes effect, when `header` and `compose` already return the new text: a check
+   * that throws (its program does not compile) prevents the replacement.
+   * @returns function that removes it
    */
   addCheck(check: MicroShaderListener): () => void {
     this.checks.add(check);
     return () => void this.checks.delete(check);
   }
 
-  /** Compiles all shaders of `getShader` anew, for a context that was lost and came back. */
+  /** Recompiles all shaders of `getShader`, after a lost context is restored. */
   recompile(): void {
     this.shaders.recompile(() => true).commit();
   }
 
-  /** Frees all programs of `getShader`; the chunks stay. */
+  /** Frees all programs of `getShader`; keeps the chunks. */
   dispose(): void {
     this.shaders.dispose();
   }
@@ -294,10 +295,10 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     for (const listener of [...this.listeners]) listener(affected);
   }
 
-  /** The names and those of all dependencies, unknown ones and cycles included. */
+  /** The names and those of all dependencies, including unknown ones and cycles. */
   private withDependencies(names: readonly string[]): Set<string> {
     const all = new Set(names);
-    // iteration of a set goes on to names added meanwhile
+    // iterating a set also visits names added meanwhile
     for (const name of all) for (const dependency of this.get(name)?.dependencies ?? []) all.add(dependency);
     return all;
   }

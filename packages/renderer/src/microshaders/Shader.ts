@@ -13,12 +13,12 @@ export interface MicroShaderCompiler<Program> {
   release?(program: Program): void;
 }
 
-/** A shader of the registry. The object stays the same through live edits, its sources and program do not. */
+/** A shader of the registry. Live edits change its sources and program, not the object. */
 export interface Shader<Program = WebGLProgram> extends ShaderSource {
   readonly vertexChunks: readonly string[];
   readonly fragmentChunks: readonly string[];
   /** Compiled program; null when the registry has no compiler. */
   readonly program: Program | null;
-  /** Number of times that the shader was composed anew. */
+  /** Number of times that the shader was recomposed. */
   readonly revision: number;
 }

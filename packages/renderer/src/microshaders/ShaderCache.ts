@@ -6,11 +6,11 @@ type Compose = (
   fragment: readonly string[],
 ) => { vertexShader: string; fragmentShader: string };
 
-/** Shaders compiled anew, not yet in use. */
+/** Recompiled shaders, not yet in use. */
 export interface Recompiled {
-  /** Takes the new programs into use and frees the old ones. */
+  /** Puts the new programs into use and frees the old ones. */
   commit(): void;
-  /** Frees the new programs, so that the old ones stay in use. */
+  /** Frees the new programs; the old ones remain in use. */
   drop(): void;
 }
 
@@ -23,7 +23,7 @@ export class ShaderCache<Program> {
     private readonly compiler: MicroShaderCompiler<Program> | undefined,
   ) {}
 
-  /** @throws Error when the name stands for other chunks already; MicroShaderCompileError when it does not compile */
+  /** @throws Error when the name belongs to other chunks already; MicroShaderCompileError when it does not compile */
   get(name: string, vertexChunks: readonly string[], fragmentChunks: readonly string[]): Shader<Program> {
     const cached = this.shaders.get(name);
     if (cached !== undefined) {

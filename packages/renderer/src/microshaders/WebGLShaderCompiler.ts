@@ -3,7 +3,7 @@ import { MicroShaderCompileError } from './MicroShaderCompileError';
 import type { MicroShaderCompiler, ShaderSource } from './Shader';
 
 const PRECISION = 'precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n';
-/** Defines of the GLSL 1 names that three lets its shaders use. */
+/** Defines of the GLSL 1 names that three's shaders may use. */
 const PREFIX = {
   vertex: `#version 300 es\n${PRECISION}#define attribute in\n#define varying out\n#define texture2D texture\n`,
   fragment: `#version 300 es\n${PRECISION}#define varying in\n#define texture2D texture\n#define textureCube texture\n`,
@@ -12,13 +12,13 @@ const FRAGMENT_COLOR = 'layout(location = 0) out highp vec4 farol_fragColor;\n#d
 const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
 
 /**
- * Compiles and links composed sources on a WebGL 2 context, without a change of its state. Sources are GLSL ES 3.00 without
+ * Compiles and links composed sources on a WebGL 2 context, without changing its state. Sources are GLSL ES 3.00 without
  * `#version`; the GLSL 1 words `attribute`, `varying`, `texture2D` and `gl_FragColor` work too, and so do three's chunks.
  */
 export class WebGLShaderCompiler implements MicroShaderCompiler<WebGLProgram> {
   constructor(private readonly gl: WebGL2RenderingContext) {}
 
-  /** @throws MicroShaderCompileError when the driver refuses it; Error when the context is lost */
+  /** @throws MicroShaderCompileError when the driver refuses the source; Error when the context is lost */
   compile(source: ShaderSource): WebGLProgram {
     const { gl } = this;
     const program = gl.createProgram();

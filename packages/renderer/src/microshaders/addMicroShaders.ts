@@ -6,15 +6,14 @@ interface Added {
   readonly text: string;
 }
 
-/** Microshaders added to each registry, by name, as they were: a live edit may have replaced the text since. */
+/** Original texts of microshaders added to each registry, by name, before live edits. */
 const added = new WeakMap<MicroShaderRegistry, Map<string, Added>>();
 
 /**
- * Adds chunks that several parts of a page may bring to a renderer's registry, each once. An edit of one that was there
- * first stays in use.
+ * Adds chunks, which several parts of a page may share, to a renderer's registry, each once. An edit made before remains in use.
  * @param owner - name of the part that adds them, for errors
  * @param sources - texts by name
- * @throws Error when a name stands for another text already; then no chunk is added
+ * @throws Error when a name has another text already; then no chunk is added
  */
 export function addMicroShaders(
   registry: MicroShaderRegistry,

@@ -4,7 +4,7 @@ import { INCLUDE_LINE } from './parseMicroShader';
 
 const THREE_INCLUDE = /^[ \t]*#include[ \t]+<([^>]+)>/;
 
-/** The headers of these chunks and of all that they depend on, each once, framed for `explainCompileError`. */
+/** Headers of these chunks and all their dependencies, each once, framed for `explainCompileError`. */
 export function composeHeaders(
   names: readonly string[],
   source: MicroShaderSource,
@@ -20,7 +20,7 @@ export function composeHeaders(
   return chunks.map((chunk) => framed(chunk, chunk.header, chunk.headerLine)).join('');
 }
 
-/** A whole shader: headers, then the main parts of the listed chunks, in their order, as `main()`. */
+/** A whole shader: headers, then `main()` with the main parts of the listed chunks in order. */
 export function composeStage(
   names: readonly string[],
   source: MicroShaderSource,
@@ -32,8 +32,8 @@ export function composeStage(
 }
 
 /**
- * Lines between `// <name>` (or `// <name> 7`, when the first is line 7 of the chunk) and `// </name>`. Lines that three
- * includes are framed as `// <three/…>`. No line moves: an `#include "name"` leaves an empty one.
+ * Lines between `// <name>` (or `// <name> 7`, when the first is line 7 of the chunk) and `// </name>`. Lines included by three
+ * are framed as `// <three/…>`. Line numbers are kept: an `#include "name"` becomes an empty line.
  */
 function framed({ name }: MicroShader, text: string, first = 1): string {
   if (text.trim() === '') return '';

@@ -2,17 +2,17 @@ import type { MicroShader } from './MicroShader';
 import { nearestName } from './nearestName';
 import { shortText } from './shortText';
 
-/** Greatest depth of dependencies, which are followed by recursion. */
+/** Maximum depth of dependencies, which are visited recursively. */
 const DEEPEST = 200;
 
-/** Looks chunks up by name. */
+/** Source of chunks by name. */
 export interface MicroShaderSource {
   get(name: string): MicroShader | undefined;
   names(): readonly string[];
 }
 
 /**
- * The chunks of the list with all their dependencies, each once, none before what it depends on.
+ * The chunks of the list and all their dependencies, each once, after its dependencies.
  * @throws Error for an unknown name or a cycle, with the path to it
  */
 export function dependencyOrder(names: readonly string[], source: MicroShaderSource): MicroShader[] {
@@ -23,7 +23,8 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
     const here = [...path, name];
     if (path.includes(name))
       throw new Error(`Microshader cycle: ${wayOf(here.slice(path.indexOf(name)))}; take one #include out.`);
-    if (path.length > DEEPEST) throw new Error(`Microshaders are more than ${DEEPEST} includes deep: ${wayOf(here)}`);
+    if (path.length > DEEPEST)
+      throw new Error(`Microshaders are more than ${DEEPEST} includes deep: ${wayOf(here)}; include fewer.`);
     const chunk = source.get(name);
     if (chunk === undefined) throw new Error(unknownMessage(name, here, source));
     for (const dependency of chunk.dependencies) visit(dependency, here);
@@ -34,7 +35,7 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
   return order;
 }
 
-/** Text of the path of names; the middle of a long one is left out. */
+/** Text of a path of names, without the middle of a long one. */
 function wayOf(names: readonly string[]): string {
   const way = names.map((name) => shortText(name));
   return (way.length > 8 ? [...way.slice(0, 4), '…', ...way.slice(-3)] : way).join(' -> ');

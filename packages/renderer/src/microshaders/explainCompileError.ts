@@ -5,19 +5,18 @@ export interface MicroShaderCompileEntry {
   /** Line in the chunk's file, or in the whole source when there is no chunk; from 1, 0 if unknown. */
   readonly line: number;
   readonly message: string;
-  /** Text of the line, without blanks round it. */
+  /** Text of the line, trimmed. */
   readonly text: string;
 }
 
-/** `ERROR: 0:12: …` (ANGLE), `0:12(5): error: …` (Mesa), `0(12) : error C0000: …` (NVIDIA). */
+/** Matches lines of logs: `ERROR: 0:12: …` (ANGLE), `0:12(5): error: …` (Mesa), `0(12) : error C0000: …` (NVIDIA). */
 const LOG_LINE = /^(?:ERROR|WARNING)?[: ]*\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\)) *: *(.*)$/;
 const FRAME = /^\/\/ <(\/?)([^>]+)>(?: (\d+))?$/;
 
 /**
- * Maps each line number of a driver's log to chunk and line, by the frames of `MicroShaderRegistry.header` and
- * `compose`.
+ * Maps each line number of a driver's log to chunk and line, by the frames of `MicroShaderRegistry.header` and `compose`.
  * @param log - result of `getShaderInfoLog`
- * @param source - source given to the driver; may have other text round the composed one
+ * @param source - source given to the driver; may have other text around the composed one
  */
 export function explainCompileError(log: string, source: string): MicroShaderCompileEntry[] {
   const lines = source.split('\n');

@@ -1,4 +1,4 @@
-// Texts of shaders in pieces: what programs that show or check them need, without the passes of '@farol/renderer/authoring'.
+// Microshaders without the passes of '@farol/renderer/authoring', for tools that show or check them.
 export { explainCompileError, type MicroShaderCompileEntry } from './explainCompileError';
 export { formatMicroShader } from './formatMicroShader';
 export type { MicroShader, MicroShaderStage } from './MicroShader';

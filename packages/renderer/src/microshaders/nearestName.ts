@@ -1,4 +1,4 @@
-/** Known name that is fewest edits away from a wrong one, if near enough to be a typing error. */
+/** Known name with the fewest edits to a wrong one, if close enough to be a typing error. */
 export function nearestName(name: string, known: Iterable<string>): string | undefined {
   let best: string | undefined;
   let fewest = Math.max(2, name.length / 2);

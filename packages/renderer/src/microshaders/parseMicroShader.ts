@@ -3,14 +3,14 @@ import { shortText } from './shortText';
 
 const MAIN_LINE = /^[ \t]*\/\/#[ \t]*main[ \t]*$/m;
 export const STAGE_LINE = /^[ \t]*\/\/#[ \t]*stage[ \t]+(\w*)[ \t]*$/m;
-/** `#include "name"`; three's own is `#include <name>`. */
+/** Matches `#include "name"`, not three's `#include <name>`. */
 export const INCLUDE_LINE = /^[ \t]*#include[ \t]+"([^"\n]*)"[ \t]*(?:\/\/.*)?$/;
 
 /**
- * Reads a microshader from the text of a `.glsl` file: its header, then after a line `//# main` its piece of `main()`.
- * The file's first line says what it is for, its second links the paper or spec. A line `//# stage vertex` or
- * `//# stage fragment` keeps it to that stage; `#include "name"` lines of the header are its dependencies.
- * @throws Error for an include in the main part, or a stage or name that cannot be
+ * Parses a microshader from the text of a `.glsl` file: its header, then after a line `//# main` its part of `main()`. By
+ * convention the file's first line gives its purpose, the second the paper or specification. A line `//# stage vertex` or
+ * `//# stage fragment` limits it to that stage; `#include "name"` lines of the header are its dependencies.
+ * @throws Error for an include in the main part, or an invalid stage or name
  */
 export function parseMicroShader(name: string, text: string): MicroShader {
   const lines = text.replace(/\r\n?/g, '\n');
@@ -31,7 +31,7 @@ export function parseMicroShader(name: string, text: string): MicroShader {
 
 /**
  * Checks a chunk and adds the names that it includes to its dependencies, each once.
- * @throws Error for an include in the main part, or a stage or name that cannot be
+ * @throws Error for an include in the main part, or an invalid stage or name
  */
 export function completeMicroShader(chunk: MicroShader): MicroShader {
   const { name, header, main, stage = 'both' } = chunk;

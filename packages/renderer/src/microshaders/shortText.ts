@@ -6,8 +6,8 @@ const UNPRINTABLE = /[\p{C}\p{Zl}\p{Zp}\ufffd]/gu;
 const escapeOf = (letter: string): string => `\\u{${letter.codePointAt(0)!.toString(16)}}`;
 
 /**
- * Text of a user's for a message: at most `most` letters, '…' where more were cut off, and what cannot be seen written
- * as \u{7}. Whatever comes from a file goes through this before it is a part of an error.
+ * Shortens a user's text for a message to `most` characters and '…'; invisible characters are escaped as in \u{7}. Use
+ * it for all text from files in errors.
  */
 export function shortText(text: string, most = 40): string {
   const cut = text.length > most ? `${text.slice(0, most - 1)}…` : text;

@@ -12,7 +12,7 @@ import type { PlainPoints } from '../lights/plainPoints';
 import { MASK, RECORDS_PER_MASK } from '../shadows/masks/maskLayout';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Effects whose picture depends on earlier frames, or on the pixels around. */
+/** Whether an effect's picture depends on earlier frames, or on neighbouring pixels. */
 const isOfPicture = ({ name, movesCamera, smoothsEdges, takesPicture, replaces }: FarolEffect): boolean =>
   movesCamera === true ||
   smoothsEdges === true ||
@@ -20,17 +20,15 @@ const isOfPicture = ({ name, movesCamera, smoothsEdges, takesPicture, replaces }
   name === 'volumetric fog';
 
 /**
- * Session in which parts of a picture are drawn: the whole picture as its first eye, which finds lights and brings shadow maps up
- * to date, then any of its lights, by the maps as they are.
+ * Session in which parts of a picture are drawn: first the whole picture, as eye 0, which finds lights and updates shadow maps;
+ * then any of its lights, with these maps.
  */
 export class DrawnParts implements Session {
   eye = 0;
-  readonly adapters = null;
-  readonly bytes = 0;
   readonly effects: ActiveEffects;
   /** Names of the host's effects that are left out. */
   readonly leftOut: readonly string[];
-  /** Managed lights of the scene, as the whole picture found them. */
+  /** Managed lights of the scene, found by the draw of the whole picture. */
   found: readonly Light[] = [];
   /** Lights of the next draw; null for all. */
   lights: readonly Light[] | null = null;
@@ -39,10 +37,7 @@ export class DrawnParts implements Session {
   /** Frame of the renderer; null before the first draw. */
   frame: Frame | null = null;
 
-  /**
-   * @param camera - the host's
-   * @param effects - the host's
-   */
+  /** @param camera - the host's camera @param effects - the host's effects */
   constructor(
     gl: WebGL2RenderingContext,
     private readonly camera: Camera,
@@ -53,7 +48,7 @@ export class DrawnParts implements Session {
     this.leftOut = effects.filter(isOfPicture).map(({ name }) => name);
   }
 
-  /** Whether an effect reads pixels around the one that it draws. */
+  /** Whether an effect reads neighbours of the pixel that it draws. */
   get readsAround(): boolean {
     return this.effects.all.some(({ name }) => name === 'ambient occlusion');
   }

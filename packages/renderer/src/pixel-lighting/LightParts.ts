@@ -5,7 +5,7 @@ import { fieldCount } from '../lights/lightData';
 import { boundLight, sphereOutsidePlanes, ViewSpace } from '../lights/spheres';
 import { lightRange } from '../lights/lightData';
 
-/** One light that can be drawn without the others. */
+/** One light that can be drawn without other lights. */
 export interface LightPart {
   readonly light: Light;
   /** Index in a light field; null for a light that is an object, or a whole field. */
@@ -14,24 +14,24 @@ export interface LightPart {
 
 const position = new Vector3();
 
-/** The light of ambient and hemisphere lights is of no place. */
+/** Whether a light is an ambient or hemisphere light, which has no position. */
 export const isAmbient = (light: Light): boolean => {
   const kind = classifyLight(light);
   return kind === 'ambient' || kind === 'hemisphere';
 };
 
-/** Lights that may reach what a camera sees, one by one, and the objects that draw any of them. */
+/** Single lights whose range a camera sees, and light objects that draw any of them. */
 export class LightParts {
   readonly all: LightPart[] = [];
-  /** Lights that take light away, which no picture shows without others. */
+  /** Lights of negative intensity, which only show together with other lights. */
   readonly negative: LightPart[] = [];
-  /** Fields with some lights of each of the host's. */
+  /** Copies of the host's light fields, with some of their lights. */
   private readonly copies = new Map<LightField, LightField>();
   private readonly space = new ViewSpace();
   private readonly sphere = new Float64Array(4);
   private readonly cone = new Float64Array(4);
 
-  /** @param lights - managed ones that the camera's layers see, ambient ones left out */
+  /** @param lights - managed lights that the camera's layers see, without ambient ones */
   constructor(lights: readonly Light[], camera: Camera) {
     this.space.begin(camera);
     for (const light of lights) {
@@ -108,7 +108,7 @@ function copyLight(from: LightField, light: number, to: LightField, at: number):
   if (from.cones !== null && to.cones !== null) copy(from.cones, to.cones);
 }
 
-/** Place of a part (m, world space); null for a directional light and a whole field. */
+/** Position of a part (m, world space); null for a directional light and a whole field. */
 export function placeOf({ light, index }: LightPart, to: Vector3): Vector3 | null {
   if (index !== null)
     return to.fromArray((light as LightField).spheres.array, index * 4).applyMatrix4(light.matrixWorld);

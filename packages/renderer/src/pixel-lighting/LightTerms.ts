@@ -12,18 +12,18 @@ import { bakedSurroundingsOf, setBakedSurroundings } from '../effects/light-prob
 import type { RenderItem } from '../frame/RenderItem';
 import type { OtherLight } from './PixelLighting';
 
-/** Light that is no managed light: turned off while other light is measured. */
+/** Source of light other than managed lights; turned off while other light is measured. */
 export interface LightTerm {
   readonly kind: OtherLight | 'light';
-  /** Light of three's that three itself lights with; else null. */
+  /** three's light object, if three itself lights with it; else null. */
   readonly light: Light | null;
   turnOff(): void;
   turnOn(): void;
-  /** Turns the light's shadow off; null for what casts none. */
+  /** Turns the light's shadow off; null without a shadow. */
   readonly unshadow: (() => void) | null;
 }
 
-/** Properties of the host's objects, set for draws and put back after them. */
+/** Properties of the host's objects, changed for draws and restored after them. */
 class Held<T extends object> {
   private readonly values = new Map<T, T[keyof T]>();
 
@@ -32,7 +32,7 @@ class Held<T extends object> {
     private readonly off: T[keyof T],
   ) {}
 
-  /** @returns whether the object gives light by the property */
+  /** @returns whether the object gives light through the property */
   add(object: T): boolean {
     const value = object[this.key];
     if (value === undefined || value === this.off) return this.values.has(object);
@@ -67,8 +67,8 @@ type LeftLight = Light & Partial<Pick<LightProbe, 'isLightProbe'>> & Partial<Pic
 const black = new Color(0);
 
 /**
- * Finds what gives light besides the managed lights: of the surfaces that are drawn at the pixel, and of the scene.
- * @param managed - lights that are drawn by themselves
+ * Finds sources of light besides the managed lights: those of the surfaces drawn at the pixel, and of the scene.
+ * @param managed - lights that are drawn one by one
  */
 export function findTerms(
   root: Object3D,
@@ -123,7 +123,7 @@ export function findTerms(
 
 type Add = (kind: LightTerm['kind'], held: { turnOff(): void; turnOn(): void }) => void;
 
-/** Fog dims what is behind it in any colour; its own light is its colour. */
+/** Adds fog, whose own light is its colour: in black it only dims. */
 function addFog({ fog }: Scene, add: Add): void {
   const { color } = (fog ?? {}) as Partial<FogExp2>;
   if (color === undefined) return;
@@ -131,7 +131,7 @@ function addFog({ fog }: Scene, add: Add): void {
   add('fog', { turnOff: () => void color.copy(black), turnOn: () => void color.copy(before) });
 }
 
-/** Probes of the effect `LightProbes`. */
+/** Adds the probes of the effect `LightProbes`. */
 function addProbes(scene: Scene, add: Add): void {
   const baked = bakedSurroundingsOf(scene);
   if (baked?.grid == null) return;

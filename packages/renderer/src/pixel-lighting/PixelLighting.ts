@@ -12,18 +12,18 @@ export interface LightShare {
   readonly index: number | null;
   /** Light that reaches the pixel: linear RGB, before exposure, tone mapping and encoding. */
   readonly color: Color;
-  /** Light that would reach it if nothing cast a shadow in this light: linear RGB. */
+  /** Light that would reach the pixel if the light cast no shadows: linear RGB. */
   readonly unshadowed: Color;
-  /** Part of the luminance of `PixelLighting.sum`, 0 to 1, below 0 for light that is taken away; 0 where the sum is black. */
+  /** Share of the luminance of `PixelLighting.sum`, 0 to 1, below 0 for a negative light; 0 where the sum is black. */
   readonly share: number;
   /** Distance (m) from the surface to the centre of the light; null for a directional light, and where no surface was hit. */
   readonly distance: number | null;
 }
 
 /**
- * Kind of light that is of no one place. 'ambient', 'hemisphere', 'light-probe': a light of three's; 'environment': reflected
- * surroundings; 'probes': a baked grid of light probes; 'unlit': what no light changes, such as a background, materials that are not
- * lit and what a shader of the host's adds; 'lights': lights beyond `PixelLightingOptions.maxLights`, all together.
+ * Kind of light without a single position. 'ambient', 'hemisphere', 'light-probe': a light of three's; 'environment': reflected
+ * surroundings; 'probes': a baked grid of light probes; 'unlit': colour that no light changes, such as a background, unlit
+ * materials and additions by the host's shaders; 'lights': lights beyond `PixelLightingOptions.maxLights`, all together.
  */
 export type OtherLight =
   | 'ambient'
@@ -37,16 +37,16 @@ export type OtherLight =
   | 'unlit'
   | 'lights';
 
-/** Light of a pixel that is not of one light with a place. */
+/** Light of a pixel that does not come from one light with a position. */
 export interface OtherShare {
   readonly kind: OtherLight;
-  /** The light of an 'ambient', 'hemisphere' or 'light-probe'; else null. */
+  /** Light object of the kinds 'ambient', 'hemisphere' and 'light-probe'; else null. */
   readonly light: Light | null;
   /** Number of lights of the kind 'lights'; else 1. */
   readonly count: number;
-  /** Linear RGB, before exposure, tone mapping and encoding. */
+  /** Light that reaches the pixel: linear RGB, before exposure, tone mapping and encoding. */
   readonly color: Color;
-  /** Part of the luminance of `PixelLighting.sum`, 0 to 1; 0 where the sum is black. */
+  /** Share of the luminance of `PixelLighting.sum`, 0 to 1; 0 where the sum is black. */
   readonly share: number;
 }
 
@@ -70,39 +70,39 @@ export interface PixelProgram {
   readonly microshaders: readonly string[];
 }
 
-/** The light of one pixel, taken apart. */
+/** The light of one pixel, split by its sources. */
 export interface PixelLighting {
-  /** Technique that drew the picture, and the parts. */
+  /** Technique that drew the picture and its parts. */
   readonly technique: TechniqueName;
-  /** Place of the pixel: from the left edge, from the upper edge (pixels). */
+  /** Column of the pixel, from the left edge; `y`: row, from the upper edge. */
   readonly x: number;
   readonly y: number;
-  /** The pixel as the technique draws it: linear RGB, before exposure, tone mapping and encoding, without smoothed edges. */
+  /** Colour of the pixel as drawn by the technique: linear RGB, before tone mapping and encoding, without anti-aliasing. */
   readonly color: Color;
   /** Sum of all shares: linear RGB. */
   readonly sum: Color;
   /** Lights that reach the pixel, or would without shadows: brightest first. */
   readonly lights: readonly LightShare[];
-  /** Ambient, environment, emissive and other light that no light of `lights` gives, brightest first. */
+  /** Ambient, environment, emissive and other light that is not in `lights`, brightest first. */
   readonly others: readonly OtherShare[];
-  /** Surfaces that the pixel shows, nearest first, down to the first opaque one; none for a background. Found by ray. */
+  /** Surfaces that the pixel shows, by raycasting, nearest first, up to the first opaque one; none for a background. */
   readonly surfaces: readonly PixelSurface[];
   /** Programs that draw the pixel: those of objects and of full-screen passes. */
   readonly programs: readonly PixelProgram[];
-  /** Names of effects that the parts are drawn without, such as anti-aliasing and fog that gathers frames. */
+  /** Names of effects left out of the parts, such as anti-aliasing and fog averaged over frames. */
   readonly effectsLeftOut: readonly string[];
-  /** Whether the picture changed meanwhile; shares are then of several moments. */
+  /** Whether the picture changed during the measurement; shares are then from different moments. */
   readonly changed: boolean;
 }
 
-/** Choices of `explainPixel`. */
+/** Options of `explainPixel`. */
 export interface PixelLightingOptions {
-  /** Size of the picture that the camera fills (pixels). Default: of the drawing buffer. */
+  /** Size of the camera's picture (pixels). Default: of the drawing buffer. */
   readonly size?: { readonly width: number; readonly height: number };
-  /** Maximum number of lights told apart, at least 1; the weaker ones are one share of the kind 'lights'. Default 128. */
+  /** Maximum number of lights measured separately, at least 1; weaker ones form one share of the kind 'lights'. Default 128. */
   readonly maxLights?: number;
-  /** Ends the work: the promise is then rejected with the signal's reason. */
+  /** Signal that ends the work: the promise is then rejected with the signal's reason. */
   readonly signal?: AbortSignal;
-  /** Called now and then with the part of the work that is done, 0 to 1. */
+  /** Called at intervals with the share of the work that is done, 0 to 1. */
   readonly onProgress?: (done: number) => void;
 }

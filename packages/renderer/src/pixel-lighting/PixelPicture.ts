@@ -17,22 +17,22 @@ import type { TechniqueName } from '../techniques';
 import { DrawnParts } from './DrawnParts';
 import { windowCamera } from './windowCamera';
 
-/** Pixels along a side of the window that is drawn: tiles of techniques and pairs of pixels lie in it as in the picture. */
+/** Side of the drawn window (pixels), a multiple of tile sizes, so that tiles and pixel quads align as in the picture. */
 const WINDOW = 16;
 
 type Line = LineSegments & { readonly material: { readonly isLineMaterial?: boolean } };
 
-/** Whether an object is sized or clipped by the target, as points and thick lines: it cannot be drawn in the window. */
+/** Whether an object's size or clipping depends on the target's, as for points and thick lines: not possible in a window. */
 const goesByTarget = ({ object }: RenderItem): boolean =>
   (object as Points).isPoints === true || (object as Line).material.isLineMaterial === true;
 
-/** A shader of the host's may read its place in the picture. */
+/** Whether the host's own shader draws an item; it may read its position in the picture. */
 const hasOwnShader = ({ ownShader }: RenderItem): boolean => ownShader;
 
-/** One pixel of a picture, drawn by any lights of the scene: alone in a small window of the picture where that is the same. */
+/** One pixel of a picture, drawn with any lights of the scene; in a small window of the picture if that gives the same colour. */
 export class PixelPicture {
   readonly parts: DrawnParts;
-  /** Whether parts are drawn as whole pictures, since what is seen depends on more than the pixel. */
+  /** Whether parts are drawn as whole pictures, since the pixel depends on others. */
   isWhole = false;
   readonly camera: Camera;
   private readonly whole: WebGLRenderTarget;
@@ -57,13 +57,13 @@ export class PixelPicture {
     this.camera = windowCamera(host, column - (column % WINDOW), row - (row % WINDOW), WINDOW, width, height);
   }
 
-  /** Items at the pixel that the last draw had, with those beside it in the window. */
+  /** Items of the last draw: those at the pixel, or in its window. */
   get items(): readonly RenderItem[] {
     const { opaque, transmissive, transparent } = this.parts.frame!.queue;
     return [...opaque, ...transmissive, ...transparent];
   }
 
-  /** Draws the whole picture, and so brings lights and shadow maps up to date. */
+  /** Draws the whole picture, which updates lights and shadow maps. */
   drawWhole(): void {
     const { parts } = this;
     parts.eye = 0;
@@ -74,8 +74,8 @@ export class PixelPicture {
   }
 
   /**
-   * Finds whether a window shows the pixel as the picture does. Call when the whole picture was drawn last; if so, the window was
-   * drawn when it returns.
+   * Chooses whether a window shows the pixel as the picture does; if so, the window is drawn on return. Call right after
+   * `drawWhole`.
    */
   chooseWindow(): void {
     const { parts, farol, technique } = this;
@@ -84,7 +84,7 @@ export class PixelPicture {
     this.isWhole =
       parts.readsAround ||
       queue.transmissive.length > 0 ||
-      // coarse lighting is interpolated over texels that lie otherwise in a window
+      // coarse lighting is interpolated between texels, which are at other positions in a window
       (technique === 'inferred' && farol.inferredScale < 1) ||
       (background?.isTexture === true && background.mapping === 300) ||
       this.items.some(goesByTarget);
@@ -93,7 +93,7 @@ export class PixelPicture {
     this.isWhole = this.items.some(hasOwnShader);
   }
 
-  /** The pixel in the whole picture that was drawn last. */
+  /** Reads the pixel in the whole picture drawn last. */
   readWhole(to = new Color()): Color {
     return this.read(this.whole, this.column, this.row, to);
   }

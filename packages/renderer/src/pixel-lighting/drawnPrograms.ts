@@ -4,10 +4,10 @@ import type { DirectDraw } from '../three/directDraw';
 import { programHandle } from '../three/handles';
 import type { PixelProgram } from './PixelLighting';
 
-/** Line that a composed source has before each chunk. */
+/** Matches the line before each chunk in a composed source. */
 const MARK = /^\/\/ <([^/>][^>]*)>/gm;
 
-/** Programs that a frame draws with while `draw` runs, and the microshaders in them. */
+/** Programs that a frame uses while `draw` runs, and their microshaders. */
 export function drawnPrograms(frame: Frame, draw: () => void): PixelProgram[] {
   const drawn = new Set<Material>();
   const drawing = frame as { draw: DirectDraw };

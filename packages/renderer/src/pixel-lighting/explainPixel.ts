@@ -12,20 +12,20 @@ import type { LightShare, OtherShare, PixelLighting, PixelLightingOptions, Pixel
 import { PixelPicture } from './PixelPicture';
 import { surfacesAt } from './surfacesAt';
 
-/** Time that draws take before the page has its turn (ms). */
+/** Time of draws before control returns to the page (ms). */
 const SLICE = 40;
-/** Difference of two pictures that counts as a change, as part of their brightness: more than half floats round. */
+/** Difference of a pixel's colours that counts as a change, as a share of its brightness: above rounding of half floats. */
 const CHANGE = 1 / 256;
 
 type Measure = Omit<LightShare, 'share'> | Omit<OtherShare, 'share'>;
 
 /**
- * Takes the light of one pixel apart: draws it by the technique in use with one light after another, and subtracts what is drawn
- * without any. So shadows, images and profiles of lights, materials and transparent layers count as in the picture.
- *
- * Draws a small window of the picture for each light, or whole pictures where the pixel depends on others (transmission,
- * ambient occlusion, points); many lights in groups. The page has its turn meanwhile; keep the scene as it is until the promise is
- * fulfilled. Nothing is drawn to the host's target, and the host's objects are as before whenever its code runs.
+ * Splits the light of one pixel by its sources: draws the pixel by the current technique with one light after another,
+ * and subtracts its colour without lights. Shadows, images and profiles of lights, materials and transparent layers
+ * therefore count as in the picture. Draws a small window of the picture for each light, or whole pictures if the pixel
+ * depends on others (transmission, ambient occlusion, points); many lights are drawn in groups. The page runs in between;
+ * do not change the scene until the promise is fulfilled. Nothing is drawn to the host's target, and the host's objects
+ * are restored whenever its code runs.
  *
  * @example
  * const { lights } = await explainPixel(farol, scene, camera, { x: 0, y: 0 });
@@ -49,7 +49,7 @@ export async function explainPixel(
   }
 }
 
-/** @throws Error that says why a pixel cannot be explained now */
+/** Technique in use. @throws Error that says why a pixel cannot be explained now */
 function check(farol: FarolRenderer, camera: Camera): TechniqueName {
   const { webgl, technique, info } = farol;
   const lacks = lacksFloatTargets(webgl);
@@ -126,7 +126,7 @@ class PixelWork {
     };
   }
 
-  /** Fetches the code that the picture needs. */
+  /** Draws the picture until all code that it needs is loaded. */
   private async fetch(): Promise<void> {
     const { lacking } = this.farol['last'];
     do {
@@ -146,7 +146,7 @@ class PixelWork {
     if (this.isLost) throw new Error('explainPixel: the WebGL context is lost; call it again once it is restored.');
   }
 
-  /** Draws the whole picture, then finds anew what is to be turned off. */
+  /** Draws the whole picture, then finds the terms to turn off again. */
   private refresh(): void {
     const { picture, scene, camera } = this;
     picture.drawWhole();
@@ -154,7 +154,7 @@ class PixelWork {
     this.terms = findTerms(scene, picture.items, new Set(picture.parts.found), camera.layers);
   }
 
-  /** Runs draws without yielding to the host, for a while at a time, with all that is no managed light turned off. */
+  /** Runs draws in slices of time, between which the host runs, with all light except managed lights turned off. */
   private async inSlices(draws: Generator<number, Measure[]>): Promise<Measure[]> {
     let started = performance.now();
     let slice = SLICE;
@@ -171,7 +171,7 @@ class PixelWork {
         this.throwIfOver();
         started = performance.now();
         this.refresh();
-        // the picture is drawn again in each slice, which is to be the lesser part of it
+        // each slice draws the whole picture again, which should take the smaller part of its time
         slice = Math.max(SLICE, 3 * (performance.now() - started));
         this.noteChange();
         this.turnOff();
@@ -196,12 +196,12 @@ class PixelWork {
     for (const term of this.terms) term.turnOn();
   }
 
-  /** Light of some lights alone. */
+  /** Light of only some lights. */
   private lightOf(lights: readonly Light[], isUnshadowed: boolean): Color {
     return less(this.picture.draw(lights, isUnshadowed), this.dark);
   }
 
-  /** Light that a light takes from that of the others. */
+  /** Light that a negative light subtracts from the others. */
   private takenBy(light: Light): Pick<LightShare, 'color' | 'unshadowed'> {
     const { picture } = this;
     const others = picture.parts.found.filter((each) => each !== light);
@@ -220,7 +220,7 @@ class PixelWork {
     yield 0;
     this.programs = drawnPrograms(picture.parts.frame!, () => picture.draw(null));
     yield 0;
-    // by index: they are found anew in each slice
+    // by index, since `refresh` replaces the terms in each slice
     for (let i = 0; i < this.terms.length; i++) {
       const { kind, light } = this.terms[i];
       this.terms[i].turnOn();
@@ -277,7 +277,7 @@ class PixelWork {
   }
 }
 
-/** Subtracts in place; `Color.sub` has nothing below 0. */
+/** Subtracts in place; unlike `Color.sub`, keeps values below 0. */
 function less(color: Color, { r, g, b }: Color): Color {
   color.r -= r;
   color.g -= g;

@@ -6,7 +6,7 @@ interface Drawn extends Object3D {
   readonly isDecal?: boolean;
 }
 
-/** Surfaces under a point of the picture, nearest first, down to the first opaque one. */
+/** Surfaces under a point of the picture, nearest first, up to the first opaque one. */
 export function surfacesAt(root: Object3D, camera: Camera, x: number, y: number): PixelSurface[] {
   if (!('isPerspectiveCamera' in camera || 'isOrthographicCamera' in camera)) return [];
   const raycaster = new Raycaster();

@@ -1,12 +1,12 @@
 import { type Camera, Matrix4 } from 'three';
 
 /**
- * Camera that sees a square of a camera's picture, at the same size of a pixel; as the camera in all else, and follows it.
+ * Live stand-in for a camera that sees only a square of its picture, pixel by pixel.
  * @param x - left pixel of the square
  * @param y - lower pixel of the square
- * @param side - of the square (pixels)
- * @param width - of the picture (pixels)
- * @param height - of the picture (pixels)
+ * @param side - side of the square (pixels)
+ * @param width - width of the picture (pixels)
+ * @param height - height of the picture (pixels)
  */
 export function windowCamera(
   camera: Camera,
@@ -17,7 +17,7 @@ export function windowCamera(
   height: number,
 ): Camera {
   const window = Object.create(camera) as Camera;
-  // scale and shift of the picture's device coordinates to the square's
+  // scale and shift from the picture's normalised device coordinates to the square's
   const [sx, sy] = [width / side, height / side];
   const [dx, dy] = [sx - (2 * x) / side - 1, sy - (2 * y) / side - 1];
   const projection = new Matrix4(sx, 0, 0, dx, 0, sy, 0, dy, 0, 0, 1, 0, 0, 0, 0, 1).multiply(camera.projectionMatrix);

@@ -33,8 +33,8 @@ export class EffectList {
   /**
    * The effects that draw a frame.
    * @param target - the host's target
-   * @param session - the XR session of which an eye is drawn; it may have effects of its own
-   * @throws Error when two effects conflict, of which one was pushed to the list
+   * @param session - XR session whose eye is drawn, which may bring its own effects; null outside of XR
+   * @throws Error when an effect that the host pushed to its list conflicts with another
    */
   of(target: WebGLRenderTarget | null, session: Session | null): ActiveEffects {
     if (session?.effects !== undefined) return session.effects;
@@ -56,7 +56,7 @@ export class EffectList {
 
   /** Frees the GPU resources of all effects that were ever in the list; a later frame makes them anew. */
   dispose(): void {
-    // support is judged anew once a lost context is restored
+    // the next frame checks again which effects the device supports: the context may have been restored
     this.count = -1;
     for (const reference of this.everListed) reference.deref()?.dispose();
   }
@@ -74,7 +74,9 @@ export class EffectList {
     const apart = this.several && effect.takesPicture === true;
     const gathers = this.stereo && effect.movesCamera === true;
     if (lacks === null && !apart && !gathers) return true;
-    const why = apart ? 'the target has several textures' : 'it gathers frames of one camera, and XR has an eye each';
+    const why = apart
+      ? 'the target has several textures'
+      : 'it gathers frames of one camera, and XR has one for each eye';
     const reason = lacks === null ? why : `this device ${lacks}`;
     if (!this.reported.has(effect)) console.warn(`Farol: ${effect.name} is left out, since ${reason}.`);
     this.reported.add(effect);

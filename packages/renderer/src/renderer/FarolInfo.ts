@@ -3,13 +3,13 @@ import type { BudgetInfo } from './FrameBudget';
 
 /** Draws and times of one pass in the last frame. */
 export interface PassInfo {
-  /** In XR sessions with ", eye 2" at its end for that of the second eye. */
+  /** Name of the pass; those of an XR session's second eye end in ", eye 2". */
   readonly name: string;
   drawCalls: number;
   triangles: number;
-  /** Time in the pass's JavaScript (ms). */
+  /** CPU time of the pass's JavaScript (ms). */
   cpuMs: number;
-  /** GPU time (ms) a few frames ago; null in the first frames, without EXT_disjoint_timer_query_webgl2 or with `timing` off. */
+  /** GPU time (ms), some frames old; null in the first frames, without EXT_disjoint_timer_query_webgl2 or with `timing` off. */
   gpuMs: number | null;
 }
 
@@ -23,7 +23,7 @@ export interface MemoryInfo {
   targets: number;
   /** Lists of lights by tile or cluster. */
   lists: number;
-  /** Atlases of shadow maps, cookies and profiles, and what is known of their depths. */
+  /** Atlases of shadow maps, cookies and profiles, and the depth bounds of shadow maps. */
   shadows: number;
   /** Light tables, and the tables of area lights and light fields. */
   lights: number;
@@ -35,13 +35,13 @@ export interface MemoryInfo {
 export interface FarolInfo {
   /** Key of the technique that drew. */
   technique: string;
-  /** Sentence that tells why 'auto' chose the technique. */
+  /** Sentence on why the technique was chosen. */
   reason: string;
-  /** Sentence on how the page could have faster frames; null for none. From 2,000 single lights on it names LightField. */
+  /** Advice for faster frames, one sentence; null for none. From 2,000 light objects on it recommends LightField. */
   hint: string | null;
   /**
-   * Names of the parts of Farol's code that the frame asked for and that are not loaded yet: being fetched, or to be
-   * fetched again after a failure. A new array at each read.
+   * Names of the parts of Farol's code that the frame needs and that are not loaded yet: being fetched, or to be fetched again
+   * after a failure. A new array at each read.
    */
   readonly pending: readonly string[];
   readonly passes: PassInfo[];
@@ -51,11 +51,11 @@ export interface FarolInfo {
   cpuMs: number;
   /** Sum of the passes' GPU times (ms); null where they are not known. */
   gpuMs: number | null;
-  /** Scale of the picture and why, by `FarolOptions.budget`; null without one. */
+  /** Scale that `FarolOptions.budget` chose for the picture, and why; null without a budget. */
   budget: Readonly<BudgetInfo> | null;
   /** Parts of a view of a buffer, or why it cannot be shown; null for the other views, and while their code is being fetched. */
   view: ViewInfo | null;
-  /** Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw. */
+  /** Number of lights in the scene, and of those that may reach the view; both include all lights that LightFields draw. */
   lights: { total: number; visible: number };
   /**
    * Shadow maps drawn in this frame and their texels; maps kept from earlier frames; of these, maps whose depth bounds

@@ -7,7 +7,7 @@ import type { TechniqueName } from '../techniques';
 
 /** Options of a FarolRenderer. Each is also a property of the renderer; changes apply from the next frame on. */
 export interface FarolOptions {
-  /** Key of `techniques`. Default 'auto'. */
+  /** Name of the technique, a key of `FarolRenderer.techniques`. Default 'auto'. */
   technique?: TechniqueName;
   /** The finished picture ('final'), or a view of how it is made. Default 'final'. */
   view?: View;
@@ -20,40 +20,35 @@ export interface FarolOptions {
    */
   quality?: Quality;
   /**
-   * Holds the time of a frame by the scale that the scene is drawn at, enlarged to the target's size:
-   * `{ frame: 16.7, min: 0.5, max: 1 }` in milliseconds a frame and pixels a pixel, along a side. `FarolInfo.budget` says what it
-   * does. Times are the GPU's, else those from frame to frame, which mean something only where frames are drawn one after the
-   * other. Default null: the scene is drawn at the size of its target.
+   * Holds a frame's time by drawing the scene at a smaller scale and enlarging the picture to the target's size:
+   * `{ frame: 16.7, min: 0.5, max: 1 }` has milliseconds a frame, and limits of the scale along a side. `FarolInfo.budget` tells
+   * the scale at hand. Frames are timed by the GPU, else by the intervals between them, which tell something only if the host
+   * draws continuously. Default null: the scene is drawn at the size of its target.
    */
   budget?: FrameBudget | null;
   /**
-   * Whether 'auto' learns which technique is faster on this GPU: where it hesitates between two, at most 2% of the draws are by the
-   * other one, and timed. `localStorage` keeps what was learnt; `clearLearnt()` forgets it. Nothing is learnt without
+   * Whether 'auto' learns which technique is faster on this GPU: where its rules are close to choosing another, that one draws
+   * up to 2% of the frames, timed. `localStorage` keeps what was learnt; `clearLearnt()` forgets it. Nothing is learnt without
    * EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
    */
   learning?: boolean;
-  /**
-   * Whether both eyes of an XR session are drawn by one call for each object, by OVR_multiview2, where device and scene allow
-   * for it. Default false.
-   */
-  multiview?: boolean;
-  /** Times each pass on the GPU, by EXT_disjoint_timer_query_webgl2. Default false: a host may time with a query of its own. */
+  /** Whether each pass is timed by EXT_disjoint_timer_query_webgl2. Default false: then a host's own time queries work. */
   timing?: boolean;
   /**
    * Effects that take part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the
-   * like, from entries of the package of their own. Effects that are left out stay the host's to dispose, those in the list are
-   * disposed with the FarolRenderer. Default none.
+   * like, each from its own entry of the package. The FarolRenderer disposes those in the list with itself; the host disposes
+   * others. Default none.
    */
   effects?: readonly FarolEffect[];
   /**
-   * Texels a side of the texture that holds all shadow maps, at most; it is made as large as the lights ask for. At least
-   * 512, at most what the device has. A change draws all maps anew. Default null: by the picture, 6656 up to 1280 × 720 pixels,
-   * 8192 from 1600 × 900 on; more for lights without a range, but no more than 8192.
+   * Largest side (texels) of the texture that holds all shadow maps, which is only as large as the lights need. At least 512, at
+   * most the device's limit. A change draws all maps anew. Default null: by the picture, 6656 up to 1280 × 720 pixels, 8192 from
+   * 1600 × 900 on; more for lights without a range, but no more than 8192.
    */
   shadowAtlasSize?: number | null;
   /**
-   * Shadow maps of each directional light, 1 to 4: the last is the light's own, those before it see what is near the camera,
-   * each a quarter as far as the next, in maps of the same size. Not for VSMShadowMap. Default 1, as in three.
+   * Shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only what is near
+   * the camera, a quarter as far as the next, in a map of the same size. Not for VSMShadowMap. Default 1, as in three.
    */
   shadowCascades?: number;
   /**
@@ -65,21 +60,18 @@ export interface FarolOptions {
   lightLayers?: boolean;
   /**
    * Whether techniques that shade a G-buffer, and so one sample a pixel, smooth edges by SMAA where the canvas (`antialias` of
-   * the WebGLRenderer) or the render target (`samples`) asks for more, unless one of `effects` does it. The others are
+   * the WebGLRenderer) or the render target (`samples`) has more, unless one of `effects` does it. Other techniques are
    * multisampled there as stock three is. Default true.
    */
   antialias?: boolean;
   /**
-   * Irradiance at which a RectAreaLight without `userData.farol.range` ends, in a surface that faces it: where it ends, lists
-   * leave it out. Up to half of that distance it gives what three has it give. Above 0; 0: no such light ends. Default 0.0002.
+   * A RectAreaLight without `userData.farol.range` ends where the irradiance of a surface that faces it falls to this: lists
+   * leave it out beyond. Up to half of that distance it is as bright as in three. With 0, none ends. Default 0.0002.
    */
   areaLightThreshold?: number;
-  /**
-   * Texels of the lighting buffers of the technique 'inferred' a pixel of the picture, along a side: above 0, at most 1.
-   * Default 0.5.
-   */
+  /** Side of the lighting buffers of the technique 'inferred', as a share of the picture's: above 0, at most 1. Default 0.5. */
   inferredScale?: number;
-  /** Lights a pixel (or draws a pixel) that the count views show hottest. Above 0. Default 32. */
+  /** Count of lights (or draws) at a pixel that heat-map views show in their hottest colour. Above 0. Default 32. */
   heatMapMaximum?: number;
 }
 
@@ -90,7 +82,6 @@ export const defaultOptions: Required<FarolOptions> = {
   quality: 'auto',
   budget: null,
   learning: false,
-  multiview: false,
   timing: false,
   effects: [],
   shadowAtlasSize: null,
@@ -103,8 +94,8 @@ export const defaultOptions: Required<FarolOptions> = {
 };
 
 /**
- * Sets all options of a FarolRenderer: those that are undefined to their default.
- * @throws Error for one that does not exist, with the name that is nearest, or a value that an option cannot have
+ * Sets all options of a FarolRenderer; undefined ones get their default.
+ * @throws Error for an unknown option, naming the nearest known one, or for a value that an option cannot have
  */
 export function setOptions(farol: Required<FarolOptions>, options: FarolOptions): void {
   const values = options as Record<string, unknown>;
@@ -115,6 +106,6 @@ export function setOptions(farol: Required<FarolOptions>, options: FarolOptions)
 
 /** Events of a FarolRenderer. */
 export interface FarolEvents {
-  /** The last picture is out of date, since code that it lacked has come: draw again. */
+  /** Code that the last picture lacked is loaded, so the picture is out of date: draw again. */
   redraw: object;
 }

@@ -59,7 +59,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   declare lightLayers: boolean;
   declare antialias: boolean;
   declare learning: boolean;
-  declare multiview: boolean;
   declare areaLightThreshold: number;
   private readonly frame: Frame;
   private readonly lights = new FrameLights();
@@ -74,14 +73,14 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private viewName: View = 'final';
   private xr: XRDraws | null = null;
   private disposed = false;
-  private isDrawing = false; // within `render`: a nested one, of a host's callback, is drawn by three
-  private session: Session | null = null; // of `@farol/renderer/pixel-lighting`, while that draws
+  private isDrawing = false; // true within `render`: three draws nested calls, made by the host's callbacks
+  private session: Session | null = null; // set by `@farol/renderer/pixel-lighting` while it draws; else null
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
   private readonly begun = () => this.frame.takeOutputBuffer();
 
   /**
-   * @param webgl - the host's renderer; it stays the host's, and other code may draw with it
+   * @param webgl - the host's renderer; the host still owns it, and other code may draw with it
    * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option is wrong
    */
   constructor(
@@ -200,13 +199,13 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Fulfilled when the last frame had all code and programs that it asked for, and no change of technique by 'auto' is under
-   * way: the same scene drawn again gives the same picture, but for effects that gather frames. A promise of the state at
-   * hand, for each who asks; it waits for frames of the host's: of one at least where code was lacking, of the first where
-   * there was none, and of the next where the context is lost. Hosts that draw on demand draw again on the event 'redraw'.
+   * Fulfilled when the last frame had all code and programs that it needed and 'auto' is not changing technique: the same scene
+   * drawn again gives the same picture, except for effects that gather frames. Each read returns a new promise. The host must go
+   * on drawing: the promise waits for one more frame where code was missing, for the first frame where there was none, and for
+   * the next one after a lost context. Hosts that draw on demand draw again on the event 'redraw'.
    *
-   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the mend (later frames and
-   * calls try again), and when this renderer is disposed.
+   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the mend (later frames and calls
+   * try again), and when this renderer is disposed.
    */
   get ready(): Promise<void> {
     return warmUpCode.load().then((code) => code.whenReady(this.last, this.picker, () => this.disposed));
@@ -218,11 +217,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
-   * Called by a callback of the host's while this renderer draws, it has three draw.
+   * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would. A nested call,
+   * from a host's callback while this renderer draws, is drawn by three.
    * @param scene - a Scene, or any object
-   * @param camera - perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent.
-   *   While an XR session presents, each eye draws, and the camera follows the head, as in three
+   * @param camera - perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no
+   *   parent. While an XR session presents, each eye draws, and the camera follows the head, as in three
    */
   render(scene: Object3D, camera: Camera): void {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
@@ -235,19 +234,19 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       if (webgl.xr.enabled) this.xr ??= xrCode.use((code) => new code.XRDraws(webgl));
       if (!webgl.xr.enabled || !webgl.xr.isPresenting) drawCameras(webgl, scene, camera, this.session, this.drawScene);
       else if (this.xr === null) webgl.render(scene, camera);
-      else this.xr.render(scene, camera, this.multiview, this.drawScene);
+      else this.xr.render(scene, camera, this.drawScene);
       this.last.end();
     } finally {
       Lazy.lacking = outer;
       this.isDrawing = false;
-      if (this.disposed) this.end(); // a callback of the host has
+      if (this.disposed) this.end(); // disposed by a host's callback during the frame
     }
   }
 
   private readonly drawScene: DrawByCamera = (scene, camera, update, updatesCamera, seenBy, session): void => {
-    if (this.disposed) return; // by a callback of the host's for another camera of an array
+    if (this.disposed) return; // by a host's callback, while an earlier camera of the array was drawn
     const eye = session?.eye ?? 0;
-    this.recorder.begin(this.timing && !session?.adapters, eye);
+    this.recorder.begin(this.timing, eye);
     this.twins.begin();
     const byThree = this.frame.queue.refused.begin(scene);
     if (eye === 0) this.finder.find(scene, seenBy, this.lightLayers, update, byThree);
@@ -288,20 +287,20 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       if (!done || webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
       this.recorder.endPass();
     }
-    // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
+    // starts the GPU while the host continues; the flush is a call to another process, too slow for small frames
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
     if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame, shadows);
-    // until the code of node materials is there three draws all of it
+    // until the code of node materials is loaded, three draws the whole frame
     if (frame.lacksNodes) webgl.render(scene, camera);
-    // once more: by three's lights where a shader has no place for the loop, or with shaders that the page has changed
+    // draws again: with three's lights if a shader has no place for the light loop, or because the page changed shaders
     if (!frame.queue.refused.end(scene, byThree || finder.left.all) && !this.twins.isOutdated) return;
-    if (session !== null) session.eye = 0; // its lights are found anew
+    if (session !== null) session.eye = 0; // 0: the lights are collected again
     this.drawScene(scene, camera, false, false, seenBy, session);
   };
 
   /**
-   * Sizes the canvas as `WebGLRenderer.setSize` does; Farol's own targets follow what is drawn to.
+   * Sizes the canvas as `WebGLRenderer.setSize` does; Farol's own targets follow the size of the target drawn to.
    * @param width - CSS pixels, as `height`
    * @param updateStyle - whether the canvas' style is set too. Default true, as in three
    */
@@ -315,12 +314,13 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Fetches code that `render` else asks for when a scene or setting first needs it, for all renderers of the page: shadow maps,
-   * cookies and light layers (until they are there three draws the shadows and maps of up to four such lights itself, more go
-   * without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they light nothing),
+   * Fetches code ahead that `render` otherwise fetches when a scene or setting first needs it, for all renderers of the page. In
+   * brackets: the picture until then. Shadow maps, cookies and light layers (three draws shadows and maps of up to four lights,
+   * more have none, and layers are ignored), area lights (three draws them as rectangles), light fields (they light nothing),
    * anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them),
-   * views of surfaces, overdraw and buffers (the final picture is shown), techniques but 'deferred' and 'forward-single-pass', and
-   * the rules of 'auto' (the one that drew the scene last draws, or one of these two), GPU times, frame budgets.
+   * views of surfaces, overdraw and buffers (the final picture is shown), techniques other than 'deferred' and
+   * 'forward-single-pass', and the rules of 'auto' (the scene's last technique draws, or one of these two), GPU times, frame
+   * budgets.
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */
@@ -328,22 +328,22 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     await Promise.all(parts.map(loadPart));
   }
 
-  /** Adds the microshaders of all code that is fetched on demand to `microshaders`, where they can be seen and replaced. */
+  /** Fetches all late code and adds its microshaders to `microshaders`, where they can be read and replaced. */
   async addLazyMicroShaders(): Promise<void> {
     return warmUpCode.load().then((code) => code.addLazyMicroShaders(this.microshaders, lazyCode));
   }
 
   /**
-   * Writes GPU times of the last frame that have arrived since to `info`; `render` does so for the frames before it.
-   * @returns whether there were any
+   * Writes GPU times that have arrived since the last `render` to `info`, as each `render` does first.
+   * @returns whether any had arrived
    */
   updateTimes(): boolean {
     return this.recorder.updateTimes();
   }
 
   /**
-   * Fetches the code and compiles the programs that the next frame of this scene needs, so that it is as it stays and does
-   * not hitch: draws frames of one pixel until none lacks code, and waits until the device has linked their programs.
+   * Fetches the code and compiles the programs that the next frame of this scene needs, so that its picture is complete and it
+   * does not hitch: draws frames of one pixel until no code is missing, and waits until the device has linked their programs.
    * @throws Error when the code cannot be fetched
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
@@ -351,7 +351,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     return warmUpCode.load().then((code) => code.compileByDrawing(this, last, finder, scene, camera));
   }
 
-  /** Frees all GPU resources of Farol; the host's stay. While a frame is drawn, frees them after it. */
+  /** Frees all GPU resources of Farol, not the host's. A call within `render` frees them when the frame ends. */
   dispose(): void {
     if (this.disposed) return;
     this.disposed = true;
@@ -367,8 +367,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Frees what is on the GPU; the next frame makes it anew. Called when the context is lost too: what is disposed after it is
-   * back, three would delete in a context that it does not belong to.
+   * Frees the GPU resources; the next frame makes them anew. Also called when the context is lost: if disposed after its return,
+   * three would delete old handles in the new context.
    */
   private readonly free = (): void => {
     this.last.isDrawn = false;
@@ -381,7 +381,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.finder.dispose();
   };
 
-  /** Picks the technique by the lights that the camera sees. @returns order in which the technique needs the lights */
+  /** Picks the technique by the visible lights. @returns order in which the technique needs the lights */
   private readonly pickTechnique = (): LightOrder => {
     const { draws, frame, picker } = this;
     picker.pick(draws.sceneView, frame, frame.lights, draws.effects);

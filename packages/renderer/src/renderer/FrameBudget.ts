@@ -1,4 +1,4 @@
-/** Time that a frame may take, and the scales (share of the picture's width and height) by which it is held. */
+/** Time that a frame may take, and the scales (share of the picture's width and height) allowed to hold that time. */
 export interface FrameBudget {
   /** Milliseconds a frame, above 0: 16.7 for 60 frames a second. */
   readonly frame: number;
@@ -10,26 +10,23 @@ export interface FrameBudget {
   readonly sharpness?: number;
 }
 
-/** Source of the times that a frame budget goes by: the GPU's timer, or intervals between frames. */
+/** Source of the frame times that a budget reads: the GPU's timer, or intervals between frames. */
 export type BudgetSource = 'gpu' | 'interval';
 
 /** State of the frame budget in the last frame. */
 export interface BudgetInfo {
-  /** Pixels of the drawn scene a pixel of the picture, along a side: 1 where nothing is enlarged. */
+  /** Side of the drawn scene as a share of the picture's; 1 where nothing is enlarged. */
   scale: number;
   /** Sentence on why the scale is what it is. */
   reason: string;
-  /** Median time of the last frames (ms); null until there are some. */
+  /** Median time of the last frames (ms); null before the first time is known. */
   ms: number | null;
   source: BudgetSource;
 }
 
 const DEFAULTS = { min: 0.5, max: 1, sharpness: 0.2 };
 
-/**
- * @returns the budget with all values
- * @throws RangeError for a value that a budget cannot have, with its name
- */
+/** @returns the budget with defaults filled in @throws RangeError that names a value out of range */
 export function checkBudget(budget: FrameBudget): Required<FrameBudget> {
   const all: Required<FrameBudget> = { ...DEFAULTS, ...budget };
   const { frame, min, max, sharpness } = all;

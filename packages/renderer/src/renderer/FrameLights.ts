@@ -69,7 +69,7 @@ export class FrameLights {
     const { session } = frame;
     const all = session?.lightsOf?.(found) ?? found;
     const known = moves || all !== found ? null : points;
-    // the maps of all eyes are drawn with the first
+    // the first eye draws the shadow maps of all eyes
     const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;
     if (masked === table.masked) table.collect(all, frame.camera, masks, known);
     layers?.end();
@@ -77,9 +77,9 @@ export class FrameLights {
     table.slots = 0;
     fields?.begin();
     const picked = pick();
-    // nothing asks then how far surfaces are
+    // the shaders of few lights do not read the farthest depth
     if (frame.readsFew) frame.queue.farthest = Infinity;
-    // clusters of fields are made on the GPU
+    // clusters of light fields are made on the GPU, from lights sorted by depth
     const order = fields !== null && picked === 'by-grid' ? 'by-depth' : picked;
     if (session !== null && session.eye > 0) shadows?.keep();
     else if (shadows !== null) {
@@ -99,7 +99,7 @@ export class FrameLights {
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
   }
 
-  /** Makes the draws of light fields; null until their code is loaded. */
+  /** Creates the draws of light fields, once; null until their code is loaded. */
   private makeFields(frame: Frame): LightFields | null {
     return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
   }

@@ -16,7 +16,7 @@ export class FrameUniforms {
     this.values = sharedUniforms(lights.ambient);
   }
 
-  /** Uploads the light table, and sets its uniforms. @param heatMaximum - count that count views show hottest */
+  /** Uploads the light table, and sets its uniforms. @param heatMaximum - count that heat-map views show in their hottest colour */
   set(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null, heatMaximum: number): void {
     const { lights, values } = this;
     this.giveTable(webgl, frame, shadows);
@@ -34,18 +34,18 @@ export class FrameUniforms {
     values.farol_heatScale.value = 1 / heatMaximum;
   }
 
-  /** Gives the light table to shaders: as uniforms if lights are few and all shaders of the frame read these, else as a texture. */
+  /** Binds the light table: as uniforms if lights are few and all shaders of the frame read the uniforms, else as a texture. */
   private giveTable(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null): void {
     const { lights, values } = this;
     const few = frame.readsFew && frame.fields === null && shadows === null && this.copyFew();
     values.farol_fewLights.value = few ? lights.recordCount : 0;
     if (few) lights.table.uploadedBytes = 0;
     else lights.upload(webgl);
-    // null: to bind the textures in turn would be changes of state
+    // null where unused: binding different textures from frame to frame would cost state changes
     values.farol_lightTable.value = few ? null : (frame.fields?.texture ?? lights.table.texture);
   }
 
-  /** Copies directional and point lights to uniforms. @returns false for too many lights, and for any with more than three's own options */
+  /** Copies directional and point lights to uniforms. @returns false for too many lights, or one with options that three lacks */
   private copyFew(): boolean {
     const { values } = this;
     const { recordCount, directional, table } = this.lights;
@@ -59,13 +59,13 @@ export class FrameUniforms {
         sphere.value[k] = data[at + LIGHT.sphere + k];
         emission.value[k] = data[at + LIGHT.emission + k];
       }
-      // directional lights with a mask or extension, local lights that are more than three's point light
+      // true for directional lights with a mask or extension, and local lights other than three's point light
       if (i < directional ? emission.value[3] !== 0 : emission.value[3] < 0) return false;
     }
     return true;
   }
 
-  /** Clears the uniforms of disposed shadow maps' textures: three would create bound textures again. */
+  /** Clears the uniforms of disposed shadow textures: three would create textures again that are still bound. */
   freeMasks(): void {
     const { values } = this;
     values.farol_images.value = [null];

@@ -27,7 +27,7 @@ export class InfoRecorder {
   constructor(
     private readonly webgl: WebGLRenderer,
     last: LastFrame,
-    /** Counts the bytes held, called where they are read; returns their sum. */
+    /** Writes the bytes held, by use, to `memory`; called when the host reads them. Returns the sum. */
     count: (memory: MemoryInfo) => number,
   ) {
     const held = { gbuffer: 0, gbufferPixel: 0, targets: 0, lists: 0, shadows: 0, lights: 0, effects: 0 };
@@ -62,12 +62,12 @@ export class InfoRecorder {
     webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
   }
 
-  /** Times the passes of this frame; null if nothing does. */
+  /** GPU timer of this frame's passes; null if they are not timed. */
   get passTimer(): GpuTimer | null {
     return this.timing ? this.timer : null;
   }
 
-  /** @param eye - index of the eye that is drawn, 0 outside of XR sessions: figures are of all eyes */
+  /** @param eye - index of the eye that is drawn, 0 outside of XR sessions; counts add up over both eyes */
   begin(timing: boolean, eye: number): void {
     this.eye = eye;
     this.eyes[eye] ??= new Map();
@@ -80,7 +80,7 @@ export class InfoRecorder {
     if (this.timing) this.timer!.poll();
   }
 
-  /** Takes GPU times that have come since the last frame. @returns whether there were any */
+  /** Reads GPU times that have arrived since the last frame. @returns whether any had arrived */
   updateTimes(): boolean {
     if (!this.timing || !this.timer!.poll()) return false;
     for (const pass of this.info.passes) pass.gpuMs = this.timer!.times.get(pass.name) ?? null;
@@ -88,7 +88,7 @@ export class InfoRecorder {
     return true;
   }
 
-  /** @param isIdle - whether the pass draws nothing: its time is not taken. Default false */
+  /** @param isIdle - whether the pass draws nothing; it is then not timed. Default false */
   beginPass(name: string, isIdle = false): void {
     const known = this.eyes[this.eye];
     let pass = known.get(name);

@@ -1,18 +1,18 @@
 import { Lazy } from '../frame/Lazy';
 
-/** Code that the last frame of a renderer asked for and lacked. */
+/** Late code that the last frame of a renderer needed and was not loaded. */
 export class LastFrame {
-  /** Parts of the code that the last frame asked for and lacked. */
+  /** Parts of late code that the last frame needed and were not loaded. */
   readonly lacking = new Set<Lazy<object>>();
   /** False before the first frame, and from the loss of the context to the next frame. */
   isDrawn = false;
   /** Callbacks, each called once after the next frame or when the renderer is disposed. */
   readonly waiting: (() => void)[] = [];
 
-  /** @param redraw - called when a part is loaded that the last frame lacked */
+  /** @param redraw - called when a part that the last frame lacked is loaded */
   constructor(readonly redraw: () => void) {}
 
-  /** Names of the lacking parts that are not loaded since. */
+  /** Names of the lacking parts that are still not loaded. */
   get pending(): string[] {
     return [...this.lacking].filter((part) => !part.isThere).map((part) => part.name);
   }
@@ -25,7 +25,7 @@ export class LastFrame {
     return outer;
   }
 
-  /** Ends the frame: records whether all that it needed was ready. */
+  /** Ends the frame, and calls `waiting`'s callbacks. */
   end(): void {
     this.isDrawn = true;
     this.lacking.forEach(this.await);

@@ -7,12 +7,12 @@ import { viewCode } from './lazyCode';
 export class LazyViews {
   /** Passes of the views that techniques do not draw; null until their code is loaded. */
   passes: ViewPasses | null = null;
-  /** View of a buffer, which lies over the final picture; null for none. */
+  /** View of a buffer, drawn over the final picture; null for none. */
   buffer: View | null = null;
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}
 
-  /** @returns the view to draw: the one asked for, or the final picture for `buffer` and while code is not loaded */
+  /** @returns the view to draw: the given one, or 'final' under a view of a buffer and until the view's code is loaded */
   available(view: View): View {
     this.buffer = null;
     if (isTechniqueView(view)) return view;

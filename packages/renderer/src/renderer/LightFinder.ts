@@ -6,10 +6,10 @@ import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Maximum number of lights with a shadow or an image that three draws, by its texture units, until Farol does. */
+/** Maximum number of lights with a shadow map or image that three draws (few texture units) until Farol's code is loaded. */
 const FEW_MASKS = 4;
 
-/** Uniform vectors of three's lit shaders besides lights, and of one spot light. */
+/** Uniform vectors of three's lit shaders: without lights, and for one spot light. */
 const UNIFORMS = 100;
 const UNIFORMS_PER_LIGHT = 7;
 
@@ -62,7 +62,7 @@ export class LightFinder {
     collectLights(scene, camera, left, found);
   }
 
-  /** Frees the shadow maps and area lights; a scene may ask for them again. */
+  /** Frees the shadow maps and area lights; a later frame that needs them creates them anew. */
   dispose(): void {
     this.shadows?.dispose();
     this.shadows = null;
@@ -79,7 +79,7 @@ export class LightFinder {
     if (!this.warned) {
       this.warned = true;
       console.warn(
-        `Farol: where an onBeforeCompile takes #include <lights_fragment_begin> out, or the chunk was changed, three lights the material; it can take ${most} of the ${this.found.left} lights, so such materials are unlit. Keep the chunk.`,
+        `Farol: materials whose onBeforeCompile removes or changes #include <lights_fragment_begin> are unlit: only three can light them, and its shaders hold ${most} of the ${this.found.left} lights; keep that line.`,
       );
     }
     return true;

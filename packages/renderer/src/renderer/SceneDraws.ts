@@ -23,7 +23,7 @@ import type { DrawScene, SceneView } from './SceneView';
 export class SceneDraws {
   sceneView!: SceneView;
   effects: ActiveEffects = NO_EFFECTS;
-  /** Anti-aliasing of techniques that shade a G-buffer; null until it is first asked for. */
+  /** Anti-aliasing of techniques that shade a G-buffer; null until a frame needs it and its code is loaded. */
   edges: SmoothEdges | null = null;
   /** Draws at the scale of a frame budget; null until there is one. */
   scaled: ScaledFrames | null = null;
@@ -31,14 +31,12 @@ export class SceneDraws {
   private checked: Required<FrameBudget> | null = null;
   private antialias = false;
   /**
-   * Twins for what is seen through transmissive things: they loop over all lights, since that picture's size is not
-   * that of the light lists.
+   * Twins for objects seen through transmissive ones: they loop over all lights, since light lists are for the main picture's
+   * size, which is not the transmission target's.
    */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
 
-  /**
-   * @param background - uniform that gets the colour that three would have cleared to; alpha -1 if three has cleared
-   */
+  /** @param background - uniform set to the colour that three would have cleared to; alpha -1 if three has cleared */
   constructor(
     private readonly frame: Frame,
     private readonly recorder: InfoRecorder,
@@ -51,7 +49,7 @@ export class SceneDraws {
   private readonly enlarge = () => this.scaled!.enlarge(this.frame);
   private readonly drawFields = () => this.frame.fields!.render();
 
-  /** Begins the draws of a frame, with options as of `FarolOptions`. */
+  /** Begins the draws of a frame, with the options of that name in `FarolOptions`. */
   begin(
     sceneView: SceneView,
     effects: ActiveEffects,
@@ -67,7 +65,7 @@ export class SceneDraws {
     sceneView.seenBy = this.frame.seenBy;
     this.frame.queue.ranks = sceneView.overdraw?.ranks ?? null;
     this.effects = effects;
-    this.frame.adapters = this.frame.session?.adapters ?? effects.adapters;
+    this.frame.adapters = effects.adapters;
     this.frame.gbufferExtras = effects.attachments;
   }
 
@@ -85,7 +83,7 @@ export class SceneDraws {
   }
 
   get bytes(): number {
-    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0) + (this.frame.session?.bytes ?? 0);
+    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0);
   }
 
   /** Ends a frame, also one that has failed. */
@@ -98,24 +96,20 @@ export class SceneDraws {
     this.picker.learning?.dispose();
     this.edges?.dispose();
     this.scaled?.dispose();
-    this.frame.session?.dispose();
   }
 
-  /** Scales the frame to hold the budget. @returns figures of that; null without a budget, or until its code is there */
+  /** Scales the frame to hold the budget. @returns the scale and its reason; null without a budget, or until its code is loaded */
   scale(): BudgetInfo | null {
     targetSizes.room = 0;
-    // the headset's own scale is XRWebGLLayer's
+    // not in XR: the scale of the headset's picture is set by XRWebGLLayer
     if (this.checked === null || this.frame.session !== null) return null;
     this.scaled ??= budgetCode.use((code) => new code.ScaledFrames(this.frame));
     this.scaled?.begin(this.frame, this.checked, this.recorder.passTimer);
     return this.scaled?.info ?? null;
   }
 
-  /** Called by SceneView: for three's transmission target if an object transmits, then for the host's target. */
+  /** Draws the scene. SceneView calls it for three's transmission target if an object transmits, then for the host's target. */
   readonly draw: DrawScene = (backs) => {
-    const { session } = this.frame;
-    const isStereo = session !== null && session.adapters !== null;
-    if (isStereo && session.refuses(this.frame, this.picker.active, this.effects.all.length)) return;
     for (const effect of this.effects.all) {
       if (effect.compute === undefined) continue;
       this.recorder.beginPass(effect.name);
@@ -128,7 +122,6 @@ export class SceneDraws {
     else {
       this.drawFrame();
       if (this.frame.ownsPart) this.run('enlargement', this.enlarge);
-      if (isStereo) session.present(this.frame);
     }
   };
 
@@ -141,7 +134,7 @@ export class SceneDraws {
     return this.edges?.addTo(effects, frame) ?? effects;
   }
 
-  /** Runs draws that have an entry of their own in `FarolInfo.passes`. */
+  /** Runs draws as a pass of that name in `FarolInfo.passes`. */
   run(name: string, render: () => void): void {
     this.recorder.beginPass(name);
     render();
@@ -171,7 +164,7 @@ export class SceneDraws {
     frame.bindTarget();
   }
 
-  /** Draws what is seen through transmissive things, into three's transmission target. */
+  /** Draws the objects behind transmissive ones into three's transmission target. */
   private drawTransmitted(): void {
     const { queue } = this.frame;
     for (const item of queue.opaque) this.frame.drawForward(item, this.transmittedTwins('final'));
@@ -179,7 +172,7 @@ export class SceneDraws {
     for (const item of queue.opaque) item.drawn = false;
   }
 
-  /** Draws back faces of transmissive objects over that into three's transmission target, since front faces show it. */
+  /** Draws back faces of transmissive objects over three's transmission target, since front faces show them. */
   private drawTransmittedBacks(): void {
     const { frame } = this;
     const { back } = this.transmittedTwins('final');

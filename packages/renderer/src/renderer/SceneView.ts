@@ -21,7 +21,7 @@ import type { TechniqueChooser } from './warm-up/TechniqueChooser';
 import type { ArrayTraversal } from './camera-arrays/ArrayTraversal';
 import { arrayCode } from './drawCameras';
 
-/** Draws shadow maps inside three's `render`; has proxies of casters that the camera may not see. */
+/** Draws shadow maps inside three's `render`, with proxies of casters outside the camera's view. */
 export interface ShadowDraws {
   readonly proxies: readonly Object3D[];
   readonly calls: ShadowMapCalls;
@@ -45,11 +45,11 @@ const NEVER = [false, false, false, false];
  * read. `draw` is called back inside `render`, where `renderBufferDirect` works.
  */
 export class SceneView {
-  /** Picks the scene's technique for 'auto'; null until it is asked for and its code is there. */
+  /** Picks the scene's technique for 'auto'; null until 'auto' is used and its code is loaded. */
   chooser: TechniqueChooser<WarmUp> | null = null;
-  /** Technique that drew the scene last, by choice or not; null before the first frame. */
+  /** Technique that drew the scene's last frame; null before the first frame. */
   drawn: TechniqueName | null = null;
-  /** Estimate of the scene's overdraw; null until its code is there. */
+  /** Estimate of the scene's overdraw; null until its code is loaded. */
   overdraw: Overdraw | null = null;
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
@@ -57,19 +57,16 @@ export class SceneView {
   private readonly masks: number[] = [];
   private readonly driver: Mesh;
   private list!: RenderList;
-  /** Lists that `list` is taken from; replaced when a lost context is restored. */
+  /** three's render lists, among them `list`; replaced when a lost context is restored. */
   private lists!: RenderLists;
   private getList!: RenderLists['get'];
-  /**
-   * Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` has put its stacks in
-   * order.
-   */
+  /** Whether the host's code has thrown in this frame; `error` is rethrown after three's `render`, which restores its stacks. */
   private failed = false;
   private error: unknown;
-  /** Stands for all transmissive objects: three fills its transmission target only if there is one. */
+  /** Stands for all transmissive objects in three's list: three fills its transmission target only if the list has one. */
   private readonly glass: Mesh;
   private transmits = false;
-  /** Array of cameras that contains the camera, or the camera itself: an object must share its layers too. */
+  /** Array of cameras that contains the camera, or the camera itself: its layers too must let an object through. */
   seenBy!: Camera;
   /** Traversal for a camera of an array; null until there was one. */
   private array: ArrayTraversal | null = null;
@@ -147,7 +144,7 @@ export class SceneView {
     shadows?.calls.begin(this.view, this.fail);
     this.getList = this.lists.get;
     this.lists.get = this.giveList;
-    // three calls `freeCamera` as it has passed the camera's matrices, of a Scene
+    // three calls `freeCamera`, a Scene's `onBeforeRender`, after the point where it would update the camera's matrices
     this.holdsCamera = isUpdated && camera.matrixWorldAutoUpdate && (this.source as Scene).isScene === true;
     if (this.holdsCamera) camera.matrixWorldAutoUpdate = false;
     try {
@@ -167,8 +164,8 @@ export class SceneView {
   }
 
   /**
-   * Ends the frame's drawing by an exception of the host's code. The exception reaches the host when three's `render` is done:
-   * three's stacks of lists and lights, its target and its clipping are never left half way.
+   * Ends the frame's drawing after the host's code has thrown. The exception reaches the host when three's `render` is done:
+   * three's stacks of lists and lights, its target and its clipping are always restored.
    */
   private readonly fail = (error: unknown): void => {
     if (!this.failed) this.error = error;
@@ -206,7 +203,7 @@ export class SceneView {
     this.masks.length = 0;
   }
 
-  /** Keeps three from clearing what draws will fill anyway; three's clear colour is set all the same. */
+  /** Keeps three from clearing pixels that draws will fill; three still sets its clear colour. */
   private keepFromClearing(): void {
     const { webgl, autoClear, queue } = this;
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
@@ -249,7 +246,7 @@ export class SceneView {
     }
   }
 
-  /** Reserves one of three's render lists for all frames, whatever the depth of nested renders. */
+  /** Reserves one of three's render lists for all frames, at any depth of nested renders. */
   private takeList(): void {
     this.lists = renderListsOf(this.webgl);
     const list = (this.list = this.lists.get(this.view, 0));

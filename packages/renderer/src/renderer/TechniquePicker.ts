@@ -13,29 +13,29 @@ import type { TechniqueName } from '../techniques';
 import { MOST_IN_A_LOOP, type TechniqueSet } from './TechniqueSet';
 import type { GpuTimer } from './timer/GpuTimer';
 
-/** Up to this many lights 'forward-single-pass' begins to draw a scene until another technique's code is loaded. */
+/** Up to this many lights, 'forward-single-pass' draws a scene until another technique's code is loaded. */
 const FEW = 16;
 
-/** A scene that is drawn. */
+/** Per-scene state of 'auto', kept from frame to frame. */
 export interface DrawnScene {
-  /** Picks the scene's technique for 'auto'; null until it is asked for and its code is there. */
+  /** Picks the scene's technique for 'auto'; null until 'auto' is used and its code is loaded. */
   chooser: TechniqueChooser<WarmUp> | null;
-  /** Technique that drew the scene last, by choice or not; null before the first frame. */
+  /** Technique that drew the scene's last frame; null before the first frame. */
   drawn: TechniqueName | null;
-  /** Estimate of the scene's overdraw; null until its code is there. */
+  /** Estimate of the scene's overdraw; null until its code is loaded. */
   overdraw: Overdraw | null;
 }
 
-/** Gives the effects of a frame, by the technique that draws it. */
+/** Source of a frame's effects, which depend on its technique. */
 export interface EffectsByTechnique {
   effectsOf(technique: string): ActiveEffects;
 }
 
 /** Picks the technique of each frame of a renderer, and prepares the next one of 'auto'. */
 export class TechniquePicker {
-  /** Technique that draws this frame: the one asked for, or the one that 'auto' picked. */
+  /** Technique that draws this frame: the host's choice, or the one that 'auto' picked. */
   active: TechniqueName = 'deferred';
-  /** Sentence that tells why `active` was chosen. */
+  /** Sentence on why `active` was chosen. */
   reason = '';
   /** Whether 'auto' may change to another technique soon. */
   isChanging = false;
@@ -43,9 +43,9 @@ export class TechniquePicker {
   learns = false;
   /** Whether trials may be drawn and timed in this frame. */
   mayMeasure = false;
-  /** Times the passes of this frame; null if nothing does. */
+  /** GPU timer of this frame's passes; null if they are not timed. */
   passTimer: GpuTimer | null = null;
-  /** Trials of 'auto'; null until there is something to learn and the code is there. */
+  /** Trials of 'auto'; null until there is something to learn and their code is loaded. */
   learning: LearningFrames | null = null;
   private requested: TechniqueName = 'auto';
 
@@ -54,7 +54,7 @@ export class TechniquePicker {
     private readonly set: TechniqueSet,
   ) {}
 
-  /** Technique asked for. @throws Error when unknown, or the device cannot run it */
+  /** Technique of `FarolOptions.technique`. @throws Error when set to an unknown one, or one that the device cannot run */
   get technique(): TechniqueName {
     return this.requested;
   }
@@ -103,7 +103,7 @@ export class TechniquePicker {
     this.reason = `the code of "${active}" is being fetched`;
   }
 
-  /** Whether a technique that has drawn the scene, and so has its programs, can draw this frame too. */
+  /** Whether a technique that drew the scene before, so that its programs exist, can draw this frame too. */
   private canGoOn(technique: TechniqueName, lights: number, floatTargets: boolean, surfaces: boolean): boolean {
     const { set } = this;
     if (!Object.hasOwn(set.known, technique) || set.codeOf(technique)?.isThere === false) return false;
@@ -112,12 +112,12 @@ export class TechniquePicker {
     return !surfaces || set.passesOf(technique).some(writesGBuffer);
   }
 
-  /** Sets the technique that 'auto' draws by; leaves 'auto' until the code of its rules is there. */
+  /** Sets `active` to the choice of 'auto'; `active` remains 'auto' until the code of its rules is loaded. */
   private choose(scene: DrawnScene, frame: Frame, table: LightTable, surfaces: boolean, floatTargets: boolean): void {
     const chooser = (scene.chooser ??= warmUpCode.use((code) => new code.TechniqueChooser<WarmUp>()));
     if (chooser === null) return;
     const figures = warmUpCode.required.figuresOf(frame, table, scene.overdraw, surfaces, floatTargets);
-    const choice = chooser.choose(figures, true);
+    const choice = chooser.choose(figures);
     this.isChanging = chooser.isChanging;
     this.active = choice.technique;
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
@@ -129,7 +129,7 @@ export class TechniquePicker {
     this.reason = learning.reason ?? this.reason;
   }
 
-  /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
+  /** Compiles the next technique of 'auto', a little in each frame; call it at the end of a frame. */
   warmUp(scene: DrawnScene, frame: Frame, draws: EffectsByTechnique): void {
     const { chooser } = scene;
     const waits = this.requested === 'auto' && frame.session === null && chooser?.settled !== true;
@@ -146,7 +146,7 @@ export class TechniquePicker {
     const { known } = this.set;
     if (this.set.codeOf(technique)?.ask() === false) return;
     const passes = this.set.passesOf(technique);
-    // after a lost context the technique has other passes
+    // after a lost context the technique's passes are new
     if (chooser.preparation?.passes !== passes)
       chooser.preparation = new warmUpCode.required.WarmUp(frame, known[technique], technique, passes);
     chooser.preparation.step(draws.effectsOf(technique).all);

@@ -9,7 +9,7 @@ import type { MicroShaderRegistry } from '../microshaders';
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import type { Technique } from '../frame/Technique';
 
-/** Number of lights above which a loop over all of them takes longer than to compile another technique: it is left at once. */
+/** Above this many lights, a frame by a loop over all of them takes longer than compiling another technique. */
 export const MOST_IN_A_LOOP = 128;
 
 /** The techniques of one renderer, and the passes of those used so far. */
@@ -20,7 +20,7 @@ export class TechniqueSet {
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}
 
-  /** @throws Error when there is a technique of that name */
+  /** Adds a technique. @throws Error when a technique has that name already */
   add(name: string, technique: Technique): void {
     if (Object.hasOwn(this.known, name)) throw new Error(`Farol: technique "${name}" exists; choose another name.`);
     this.known[name] = technique;
@@ -35,7 +35,7 @@ export class TechniqueSet {
     delete this.known[name];
   }
 
-  /** @throws Error when there is no technique of that name */
+  /** Technique of a name. @throws Error when the name is unknown */
   get(name: string): Technique {
     if (!Object.hasOwn(this.known, name)) throw unknownName('technique', name, Object.keys(this.known));
     return this.known[name];
@@ -69,7 +69,7 @@ export class TechniqueSet {
     return this.passesOf(name).some(({ reads }) => reads.includes('overdraw'));
   }
 
-  /** Counts the bytes of all passes by what they write. */
+  /** Adds the bytes of all passes to the kinds of memory that they write. */
   count(memory: MemoryInfo): void {
     memory.gbuffer = memory.lists = memory.targets = 0;
     for (const passes of this.lists.values()) {

@@ -6,10 +6,10 @@ import { POINT, readPoint } from '../lights/plainPoints';
 
 const { updateMatrixWorld } = Object3D.prototype;
 const identity = new Matrix4();
-/** Fewest children of a scene whose lights are read by `fetching.reader`. */
+/** Minimum number of children from which on `fetching.reader` reads their lights. */
 const ROW = 8;
 
-/** Update of the world matrices of children: none, those that ask for it, or all. */
+/** Update of children's world matrices: none, those with `matrixWorldNeedsUpdate`, or all. */
 const KEPT = 0;
 const UPDATED = 1;
 const FORCED = 2;
@@ -17,8 +17,8 @@ const FORCED = 2;
 /**
  * Finds the managed lights that the camera's layers see, parents before children.
  * @param camera - the camera, or the array of cameras that contains it
- * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: lights are
- *   then read from memory once, not twice. Default false
+ * @param update - whether to update world matrices on the way, as `root.updateMatrixWorld()` would: each light is then visited
+ *   once, not twice. Default false
  */
 export function collectLights(
   root: Object3D,
@@ -36,7 +36,7 @@ export function collectLights(
     else if (root.visible) visitChildren(root, camera, left, found, KEPT);
   } else {
     found.rest.push(root);
-    // three's traversal meets the lights that are its children too
+    // three's traversal also visits lights that are children of the root
     if (root.visible) visit(root, (root as Light).isLight === true, camera, left, found);
   }
   // drops references to lights of larger earlier frames
@@ -83,7 +83,7 @@ function visitChildren(
     if (matrices !== KEPT) child.updateMatrixWorld(matrices === FORCED);
     if (!child.visible) continue;
     const first = found.nested.length;
-    // of a lamp without a shape three has nothing to traverse
+    // three need not traverse a child that holds nothing but managed lights
     if (visit(child, isLight, camera, left, found)) found.nested.length = first;
     else found.rest.push(child);
   }
@@ -91,7 +91,7 @@ function visitChildren(
 
 /**
  * Updates the matrices of a light without children, as its own `updateMatrixWorld` does.
- * @param unmoved - its parent, if the world matrix of that is the identity
+ * @param unmoved - parent of the light, if its world matrix is the identity; else null
  */
 function updateLight(light: Light, unmoved: Object3D | null, force: boolean): void {
   if (light.updateMatrixWorld !== updateMatrixWorld) light.updateMatrixWorld(force);
@@ -117,17 +117,17 @@ function visit(object: Object3D, isLight: boolean, camera: Camera, left: LeftToT
   return isLights && (isLight || isNode(object));
 }
 
-/** Whether three does nothing with an object itself; of a class of the host's own that is not known. */
+/** Whether three draws nothing for the object itself; false for a class of the host's own, which may. */
 function isNode({ constructor }: Object3D): boolean {
   return constructor === Object3D || constructor === Group;
 }
 
-/** @returns whether three is not to meet the light: a managed one, or one that the camera's layers do not see */
+/** @returns whether to hide the light from three: Farol lights it, or the camera's layers do not see it */
 function takesOver(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
-  // an array of cameras may not see what one of its cameras does
+  // `camera` may be an array, whose layers hide a light that its single cameras would see
   if (!light.layers.test(camera.layers)) return true;
   const at = found.reserve(1) * POINT;
-  // a light that is read as a plain point light has no mask
+  // a light read as a plain point light has no shadow map, cookie or profile
   if (!readPoint(light, found.points, at) || left.all) {
     if (found.seeksMasks && (light.castShadow || hasCookie(light) || hasProfile(light))) found.masks++;
     if (!isManagedLight(light, left)) {

@@ -6,5 +6,5 @@ import * as shading from '../lighting/shading/chunks';
 import * as volumes from '../techniques/light-volumes/chunks';
 import * as output from '../passes/output/chunks';
 
-/** Sources by name that are there from the start: a new microshader is a file, and a line in the `chunks.ts` of its folder. */
+/** Sources of the microshaders in the core, by name. A new microshader is a file, and a line in its folder's `chunks.ts`. */
 export const coreSources = { ...gbuffer, ...gpu, ...lighting, ...loops, ...shading, ...volumes, ...output };

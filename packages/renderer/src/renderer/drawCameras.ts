@@ -4,12 +4,12 @@ import type { Session } from '../frame/Session';
 import { afterRender, beforeRender } from './sceneCallbacks';
 
 /** Pictures by an array of cameras, each into its part of the target. */
-export const arrayCode = new Lazy('camera-arrays', () => import('./camera-arrays'), 'three draws by arrays of cameras');
+export const arrayCode = new Lazy('camera-arrays', () => import('./camera-arrays'), 'three draws arrays of cameras');
 
 /**
  * Draws a scene by one camera.
- * @param update - whether the scene's matrices are to be brought up to date; `updatesCamera`: the camera's
- * @param seenBy - array of cameras that contains the camera; its layers select lights too. Else the camera
+ * @param update - whether to update the scene's world matrices; `updatesCamera`: the camera's
+ * @param seenBy - array of cameras that contains the camera; its layers select lights too; without an array, the camera
  */
 export type DrawByCamera = (
   scene: Object3D,
@@ -30,7 +30,7 @@ export function drawCameras(
 ): void {
   const isArray = 'isArrayCamera' in camera;
   if (isArray && !arrayCode.ask()) return webgl.render(scene, camera);
-  // else matrices are brought up to date while lights are looked for
+  // if false, `collectLights` updates the matrices on its way
   const updated = beforeRender(webgl, scene, camera);
   const update = scene.matrixWorldAutoUpdate && !updated;
   if (!isArray) draw(scene, camera, update, !updated, camera, session);

@@ -3,7 +3,7 @@ import type { MicroShaderRegistry } from '../microshaders';
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import { gouraudCode, nodeCode } from './lazyCode';
 
-/** Fetches the code of twins and draws that a frame asks for. @param microshaders - gets those of the code */
+/** Fetches the code of twins and draws when a frame needs it. @param microshaders - registry that gets its microshaders */
 export function lateDraws(microshaders: MicroShaderRegistry): LateDraws {
   return {
     gouraudTwins: (view) =>

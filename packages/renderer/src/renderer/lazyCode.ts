@@ -14,26 +14,22 @@ export const areaCode = new Lazy('area-lights', () => import('../lighting/area-l
 /** The views of surfaces, overdraw and buffers. */
 export const viewCode = new Lazy('views', () => import('../views'), 'the final picture is shown');
 
-/** Lights as data: LightField. Their lists are those of tiles. */
+/** Lights as data (LightField); they need the code of tile lists too. */
 export const lightFieldCode = new Lazy(
   'light-fields',
   async () => (await Promise.all([import('../light-fields/makeLightFields'), tileCode.load()]))[0],
-  'their lights light nothing',
+  'LightFields give no light',
 );
 lightFieldMade.tell = () => lightFieldCode.ask();
 
 /** Gouraud shading: lights computed at the vertices. */
-export const gouraudCode = new Lazy('gouraud', () => import('../materials/gouraud'), 'light is in pixels');
+export const gouraudCode = new Lazy('gouraud', () => import('../materials/gouraud'), 'Gouraud shading is as Phong');
 
 /** Node materials (TSL). */
-export const nodeCode = new Lazy(
-  'nodes',
-  () => import('../three/nodes/NodeDraws'),
-  'three draws scenes that have some',
-);
+export const nodeCode = new Lazy('nodes', () => import('../three/nodes/NodeDraws'), 'three draws scenes with nodes');
 
-/** Rules of 'auto'; compiles programs ahead, and waits for a picture that is as it stays. */
-export const warmUpCode = new Lazy('warm-up', () => import('./warm-up'), "'auto' draws by one of two techniques");
+/** Rules of 'auto', compilation of programs ahead, and `FarolRenderer.ready`. */
+export const warmUpCode = new Lazy('warm-up', () => import('./warm-up'), "'auto' has only two techniques");
 
 /** Anti-aliasing of techniques that draw one sample a pixel. */
 export const antialiasingCode = new Lazy(
@@ -43,13 +39,13 @@ export const antialiasingCode = new Lazy(
 );
 
 /** Code that measures GPU times of passes. */
-export const timerCode = new Lazy('timer', () => import('./timer'), 'there are none');
+export const timerCode = new Lazy('timer', () => import('./timer'), 'GPU times are unknown');
 
-/** Frames at the scale that holds a frame budget. */
+/** Scaled frames and the controller that holds a frame budget. */
 export const budgetCode = new Lazy('budget', () => import('./budget'), 'frames are drawn at full size');
 
 /** Trials of techniques, which 'auto' learns from. */
-export const learningCode = new Lazy('learning', () => import('./learning'), "'auto' goes by its rules alone");
+export const learningCode = new Lazy('learning', () => import('./learning'), "'auto' uses only its rules");
 
 /** Forgets what 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
 export const clearLearnt = (): Promise<void> => learningCode.load().then((code) => code.clearLearnt());

@@ -5,14 +5,15 @@ type SceneCallback = (webgl: WebGLRenderer, scene: Scene, camera: Camera, target
 
 const NO_CALLBACK = Object3D.prototype.onBeforeRender;
 
-/** Brings a camera without a parent up to date, as three does. */
+/** Updates the world matrix of a camera without a parent, as three does. */
 export function updateCamera(camera: Camera): void {
   if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
 }
 
 /**
- * Calls a Scene's `onBeforeRender`, where the host has set one, with scene and camera up to date: an array of them always.
- * @returns whether they were brought up to date
+ * Calls a Scene's `onBeforeRender` if the host has set one, after updating world matrices of scene and camera. An array of
+ * cameras is always updated.
+ * @returns whether matrices were updated
  */
 export function beforeRender(webgl: WebGLRenderer, object: Object3D, camera: Camera): boolean {
   const scene = object as Scene;

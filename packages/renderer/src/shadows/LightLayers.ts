@@ -3,9 +3,8 @@ import type { Light, Object3D } from 'three';
 type Drawn = Object3D & { isMesh?: boolean; isLine?: boolean; isPoints?: boolean };
 
 /**
- * Finds lights that reach only some of a scene's objects, where a light reaches only objects that share a layer with
- * it: collects the sets of layers that objects have, and the most frequent set. Ambient and hemisphere lights reach all
- * objects.
+ * Finds lights that reach only some of a scene's objects, because they share no layer with the others: collects the objects'
+ * sets of layers, and the most frequent set. Ambient and hemisphere lights reach all objects.
  */
 export class LightLayers {
   /**

@@ -42,25 +42,25 @@ const REBALANCE = 60;
 const SMALLEST_ATLAS = 512;
 
 /**
- * The shadow maps and cookies of all lights of a renderer, in two atlases. `update` finds which of them a frame needs and which
- * have to be drawn, `render` draws those. README.md tells a frame step by step.
+ * The shadow maps and cookies of all lights of a renderer, in two atlases. `update` finds which maps a frame needs and which of
+ * them are out of date, `render` draws those. README.md describes a frame step by step.
  */
 export class ShadowMaps implements LightMasks, TileShadows {
   /** Test for materials that show nothing but shadows (such as ShadowMaterial), and the twin that draws them. */
   readonly maskMaterials: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
   readonly layers = new LightLayers();
-  /** Maps of each directional light, 1 to 4. */
+  /** Number of maps for each directional light, 1 to 4. */
   cascades = 1;
   /** Greatest side of the atlas of shadow-map depths (texels); null: by the size of pictures, see `atlasLimit`. */
   atlasSize: number | null = null;
   private knownAtlasSize: number | null = null;
-  /** Whether bytes bound the atlases, for the quality 'lite'. */
+  /** Whether the atlases are limited in bytes, for the quality 'lite'. */
   isLite = false;
-  /** Bytes of a texel of depths by which the atlases are bounded; 0 while they are not. */
+  /** Bytes a texel of depth for which the limit in bytes was computed; 0 without a limit. */
   private knownTexel = 0;
-  /** Area lights, asked for the range of those that cast shadows; null while no scene has had an area light. */
+  /** Area lights, read for the range of those that cast shadows; null until a scene has an area light. */
   areas: AreaLightTable | null = null;
-  /** Frame's camera, or the array of cameras that has it: levels of detail, and layers of casters of most shadows. */
+  /** Frame's camera, or the array that contains it: chooses levels of detail, and layers of casters for most shadows. */
   seenBy!: Camera;
   /** Number of maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
@@ -112,7 +112,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.masks = new MaskRecords(this.slots, this.layers, this.shaders);
   }
 
-  /** Depths of all shadow maps, for a comparing sampler; null before the first map is drawn. */
+  /** Depths of all shadow maps, for a shadow sampler; null before the first map is drawn. */
   get depthTexture(): Texture | null {
     const draws = this.planned.maps.length > 0 && !this.isVariance;
     return this.atlases.textureOf(this.atlases.depths, draws);
@@ -138,7 +138,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     return this.planned.hasWork;
   }
 
-  /** Proxies of the casters that the frame draws, for three to bring their buffers up to date. */
+  /** Proxies of the casters that the frame draws, by which three updates their buffers. */
   get proxies(): readonly Object3D[] {
     return this.draws.proxies;
   }
@@ -174,8 +174,8 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   /**
    * Finds which maps a frame needs and which of them have to be drawn.
-   * @param lights - of the frame that may cast shadows, throw images or be limited to layers
-   * @param picture - size (pixels); `hasMedia`: maps are looked up in the air too
+   * @param lights - lights of the frame that may cast shadows, project images or be limited to layers
+   * @param picture - size (pixels); `hasMedia`: whether fog samples the maps too
    */
   update(root: Object3D, camera: Camera, lights: readonly Light[], picture: ShadowMaps['picture']): void {
     this.begin();
@@ -187,7 +187,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.followType();
     for (const light of lights) this.collect(light, root, camera);
 
-    // keep the maps that are still valid; a lost context has lost all
+    // keep the maps that are still valid; none are after a lost context
     if (this.atlases.isLost) this.slots.lose(false);
     this.noteChanges(root, camera);
     this.followLights(updates, camera);
@@ -220,7 +220,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     return listTiles(this, images);
   }
 
-  /** Ends a frame: resets `needsUpdate` of shadows, by which the host asks for one draw of a map. */
+  /** Ends a frame: resets `needsUpdate` of shadows, by which the host requests one draw of a map. */
   end(): void {
     const { shadowMap } = this.webgl;
     if (this.slots.lit.length > 0 && shadowMap.needsUpdate) shadowMap.needsUpdate = false;
@@ -245,7 +245,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.masks.begin();
   }
 
-  // ---- Collect: a slot for each light that casts shadows or throws an image ----
+  // ---- Collect: a slot for each light that casts shadows or projects an image ----
 
   /** Draws all maps anew after `shadowMap.type` has changed; variance shadow maps lie in the other atlas. */
   private followType(): void {
@@ -277,9 +277,9 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.slots.add(lit as ShadowLight, root, camera, casts, image, cascades, profile);
   }
 
-  // ---- Keep: which of the maps that are there still hold ----
+  // ---- Keep: which of the drawn maps are still valid ----
 
-  /** Marks maps as stale that show a place where a caster has changed, also maps of lights that are not lit now. */
+  /** Marks maps as stale that show a place where a caster has changed, also maps of lights outside of this frame. */
   private noteChanges(root: Object3D, camera: Camera): void {
     let casters = this.casters.get(root);
     if (casters === undefined) this.casters.set(root, (casters = new ShadowCasters()));
@@ -296,7 +296,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     }
   }
 
-  /** Moves the maps' cameras along with the lights whose maps may be drawn, and marks the maps that this changes. */
+  /** Moves the maps' cameras with the lights whose maps may be drawn, and marks maps as stale that this changes. */
   private followLights(updates: boolean, camera: Camera): void {
     const reversed = isDepthReversed(this.webgl);
     for (const slot of this.slots.lit) {
@@ -307,9 +307,9 @@ export class ShadowMaps implements LightMasks, TileShadows {
     }
   }
 
-  // ---- Assign: regions of the atlases, what is drawn, records ----
+  // ---- Assign: regions of the atlases, planned draws, records ----
 
-  /** Finds how large the maps and their atlas are to be. */
+  /** Chooses the sizes of the maps and their atlas. */
   private chooseSizes(camera: Camera, picture: PictureSize): void {
     const { atlases, atlasSize } = this;
     const { lit, copies } = this.slots;
@@ -326,7 +326,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     chooseDetail(lit, camera, picture, this.webgl.shadowMap, atlases.depths.reduced);
   }
 
-  /** Gives each shadow map and cookie of the frame its atlas region; releases regions of lights not lit for long. */
+  /** Gives each shadow map and cookie of the frame its atlas region; releases regions not used for many frames. */
   private place(): void {
     const { slots, atlases } = this;
     slots.sortOut(this.isVariance);
@@ -344,7 +344,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private assign(slot: ShadowSlot, updates: boolean): void {
     const { map, shadow } = slot;
     const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (!map.isThere && wasAskedFor(slot));
-    // a light whose map the host has not asked for yet casts no shadow
+    // a light whose map was neither drawn nor requested casts no shadow
     slot.hasShadow = slot.casts && slot.placement.region !== null && (map.isThere || mayDraw);
     if (slot.hasShadow) {
       const draws = this.planMap(slot, mayDraw);
@@ -356,7 +356,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   /** Plans the draw of a map if it is out of date. @returns whether it will be drawn */
   private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
     const { map } = slot;
-    // air and soft shadows of area lights look up places far from the receivers, and cameras of an array see others than this one
+    // fog and soft shadows of area lights sample maps far from visible receivers; other cameras of an array see other receivers
     const isWhole = this.picture.hasMedia || softSizeOf(slot.light) > 0 || 'isArrayCamera' in this.seenBy;
     const isPart = !isWhole && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
     if ((mayDraw && !map.isCurrent) || (map.isPartial && !isPart)) {

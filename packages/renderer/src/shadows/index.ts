@@ -35,12 +35,12 @@ export const microShaders = {
   ...tileMicroShaders,
 };
 
-/** Runs a function as a pass of the frame, which `FarolInfo.passes` lists under a name. */
+/** Runs a function as a pass of the frame, listed by name in `FarolInfo.passes`. */
 interface PassRunner {
   run(name: string, work: () => void): void;
 }
 
-/** Makes what masks the lights of a renderer's frames: shadow maps, cookies, layers, and their microshaders. */
+/** Creates a renderer's masks of lights (shadow maps, cookies, layers) and adds their microshaders. */
 export function makeShadowMaps({ webgl, microshaders }: Frame, draws: PassRunner): ShadowMaps {
   addMicroShaders(microshaders, 'shadows', microShaders);
   const shadows = new ShadowMaps(webgl, microshaders);

@@ -28,7 +28,7 @@ interface Worn {
 
 let changes = 0;
 
-/** The surfaces of one material, with their values; kept as long as the material, since its programs refer to the values. */
+/** The surfaces of one material, with their values; kept for the material's lifetime, since its programs refer to the values. */
 export class MaterialSurfaces implements WornSurfaces {
   list: readonly Worn[] = [];
   private names: readonly string[] = [];
@@ -43,10 +43,7 @@ export class MaterialSurfaces implements WornSurfaces {
 
   constructor(private readonly material: Material) {}
 
-  /**
-   * Takes the surfaces of another material, their values by reference, and one more.
-   * @returns the values of that one
-   */
+  /** Sets the surfaces of another material, sharing their values, and one more. @returns the values of the added surface */
   layer(
     below: MaterialSurfaces | null,
     surface: Surface,
@@ -57,7 +54,7 @@ export class MaterialSurfaces implements WornSurfaces {
     return this.set([...others.map((worn) => worn.surface), surface], surface, values);
   }
 
-  /** Makes surfaces with given values the material's. @returns the values of `shown`, with `values` set */
+  /** Sets the material's surfaces, with their values. @returns the values of `shown`, with `values` set */
   set(
     surfaces: readonly Surface[],
     shown: Surface | null,
@@ -163,7 +160,7 @@ export class MaterialSurfaces implements WornSurfaces {
       this.list[i].timeBefore.value = times[i] ?? this.list[i].surface.time.value;
   }
 
-  /** Gives every declared uniform a value; values that equal an earlier text's default get the present default. */
+  /** Gives every declared uniform a value; values equal to an earlier text's default get the current default. */
   private complete(worn: Worn): void {
     const { surface, uniforms, defaults } = worn;
     if (worn.version === surface.version && defaults.size === surface.uniforms.length) return this.link(worn);
@@ -196,7 +193,7 @@ export class MaterialSurfaces implements WornSurfaces {
   }
 }
 
-/** Greatest displacement by a surface at its uniforms' present values (m). */
+/** Greatest displacement by a surface at its uniforms' current values (m). */
 function reachOf(terms: ParsedSurface['reach'], uniforms: Worn['uniforms']): number {
   if (terms === null) return Infinity;
   let reach = 0;

@@ -22,14 +22,14 @@ export interface SurfaceRenderer {
 
 /** Options of the constructor of Surface. */
 export interface SurfaceOptions {
-  /** Time (s) of the hooks, as an object that surfaces may share. Default an object of its own. */
+  /** Time (s) passed to the hooks, as an object that surfaces may share. Default a new object. */
   readonly time?: IUniform<number>;
 }
 
 let count = 0;
 let white: DataTexture | null = null;
 
-/** Makes the white texture that stands for textures not given. */
+/** Makes the white texture used for textures not set. */
 function whiteTexture(): DataTexture {
   if (white === null) {
     white = new DataTexture(new Uint8Array([255, 255, 255, 255]));
@@ -39,16 +39,16 @@ function whiteTexture(): DataTexture {
 }
 
 /**
- * A surface made of microshaders: GLSL that changes how the materials that wear it look, in every technique, see `setSurface`.
+ * GLSL that changes the look of the materials that use it, in every technique, see `setSurface`.
  * `void surface(inout SurfaceData s)` changes a pixel's colour, normal, roughness, metalness, emissive light and opacity,
- * `void displace(inout VertexData v)` a vertex's position and normal. `#include "name"` puts a microshader of the renderer
- * before it. All materials that wear it share its programs; values of its uniforms are each material's own.
+ * `void displace(inout VertexData v)` a vertex's position and normal. `#include "name"` inserts a microshader of the renderer.
+ * Materials with the same surface share programs; each material has its own values of the uniforms.
  * @see thesis 3.1.2
  */
 export class Surface {
-  /** Number in the surface's names and chunks; unique on the page. */
+  /** Number in the surface's GLSL names and chunks; unique on the page. */
   readonly id = ++count;
-  /** Time (s) that the hooks get; set it each frame for surfaces that move. */
+  /** Time (s) passed to the hooks; set it in each frame for animated surfaces. */
   readonly time: IUniform<number>;
   /** Number of changes of the text. */
   version = 0;
@@ -65,9 +65,8 @@ export class Surface {
   /**
    * @param name - name in errors and lists
    * @param source - text of the surface
-   * @throws MicroShaderCompileError with line, for a text without a hook or with a uniform that cannot be; what a
-   * driver
-   *   refuses is told when it is first drawn, or by `compile`
+   * @throws MicroShaderCompileError with line, for a text without a hook or with an invalid uniform; errors of the driver are
+   *   reported by the first draw, or by `compile`
    */
   constructor(name: string, source: string, options: SurfaceOptions = {}) {
     this.sourceInUse = name;
@@ -85,7 +84,7 @@ export class Surface {
     this.sourceInUse = name;
   }
 
-  /** Prefix of the surface's names in shaders. */
+  /** Prefix of the surface's GLSL names in shaders. */
   get prefix(): string {
     return `farol_s${this.id}_`;
   }
@@ -114,7 +113,7 @@ export class Surface {
     return this.read;
   }
 
-  /** Part of programs' cache keys that differs with the text. */
+  /** Part of programs' cache keys, different for each text. */
   get key(): string {
     return `${this.id}-${this.hash}`;
   }
@@ -124,8 +123,8 @@ export class Surface {
   }
 
   /**
-   * Replaces the text everywhere at once; programs compile anew at their next draw. If this throws, nothing changes:
-   * pictures keep the last good text.
+   * Replaces the text for all materials; programs are recompiled at their next draw. If this throws, nothing changes: the last
+   * good text remains in use.
    * @throws MicroShaderCompileError with `entries` by line
    */
   set source(source: string) {
@@ -155,7 +154,7 @@ export class Surface {
     this.version++;
   }
 
-  /** Default of a uniform, as a new object; for textures a white one that all share. */
+  /** Default of a uniform, as a new object; for textures a shared white one. */
   static defaultOf(uniform: SurfaceUniform): SurfaceValue {
     const { default: value, type, isColor } = uniform;
     if (value === null) return whiteTexture();
@@ -168,8 +167,8 @@ export class Surface {
 
   /**
    * Compiles the surface for a renderer, before it is drawn.
-   * @throws MicroShaderCompileError with `entries` by line; Error for an unknown include. Materials are then drawn
-   * without the surface.
+   * @throws MicroShaderCompileError with `entries` by line; Error for an unknown include. Materials are then drawn without the
+   *   surface
    */
   compile({ webgl, microshaders }: SurfaceRenderer): void {
     const problem = this.addTo(microshaders, webgl);
@@ -214,7 +213,7 @@ export class Surface {
     return [chunk(this.chunk, 'fragment', fragment), chunk(this.vertexChunk, 'vertex', vertex)];
   }
 
-  /** Rewrites an error in terms of the surface's text: its name for its chunks, names without the prefix. */
+  /** Rewrites an error in terms of the surface's text: the surface's name in place of its chunks', GLSL names without the prefix. */
   private named(error: unknown): Error {
     if (!(error instanceof MicroShaderCompileError)) return error instanceof Error ? error : new Error(String(error));
     const entries = error.entries.map((entry) => {

@@ -1,11 +1,11 @@
 /** GLSL types of a surface's uniforms. */
 export type SurfaceUniformType = 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'sampler2D';
 
-/** A uniform that a surface declares, as an editor shows it. */
+/** A uniform that a surface declares, with its default and range for editors. */
 export interface SurfaceUniform {
   readonly name: string;
   readonly type: SurfaceUniformType;
-  /** True for a vec3 that is a colour. Linear in the API, written as #rrggbb in sRGB. */
+  /** True for a vec3 that is a colour: linear in the API, #rrggbb (sRGB) in the text. */
   readonly isColor: boolean;
   /** Default value: a number, a boolean, the numbers of a vector, or null for a texture. */
   readonly default: number | boolean | readonly number[] | null;

@@ -9,13 +9,13 @@ type ChunkName = keyof typeof ShaderChunk;
 const MAIN = /\bvoid\s+main\s*\(/;
 const STRUCTURES = /^\/\/ <surfaceData>\n[^]*?^\/\/ <\/surfaceData>\n/m;
 
-/** Tells whether a surface's text uses a member of SurfaceData or VertexData. */
+/** Tests whether a surface's text uses a member of SurfaceData or VertexData. */
 type Names = (member: string) => boolean;
 
 /**
- * Puts surfaces into a shader of three's, of whatever kind: lit, unlit, or one that writes depths for shadow maps. Pixels change
- * after all maps and before the light and the tests of alpha, vertices after morphs and before bones. Only what the surfaces
- * name is computed.
+ * Inserts surfaces in a shader of three's: lit, unlit, or one that writes depths for shadow maps. Pixel hooks run after all
+ * maps, before lighting and alpha tests; vertex hooks after morphs, before skinning. Only members that the surfaces use are
+ * computed.
  */
 export function insertSurfaces(shader: TwinShader, surfaces: readonly Surface[], registry: MicroShaderRegistry): void {
   const painting = surfaces.filter(({ parsed }) => parsed.paints);
@@ -74,7 +74,7 @@ function insertPixels(shader: TwinShader, surfaces: readonly Surface[], headers:
   if (names('emissive') && isLit) lines.push('totalEmissiveRadiance = farol_surface.emissive;');
   if (names('emissive') && isUnlit) lines.push('diffuseColor.rgb += farol_surface.emissive;');
 
-  // alpha tests come after the code that may change alpha
+  // alpha tests are moved after the code that may change alpha
   let tests = '';
   for (const name of ['alphatest_fragment', 'alphahash_fragment'] as const) {
     const found = findChunk(text, name);
@@ -159,7 +159,7 @@ farol_world = instanceMatrix * farol_world;
 farol_positionWS = (modelMatrix * farol_world).xyz;
 `;
 
-/** GLSL that finds normals as three's chunks do, for shaders without them. */
+/** GLSL that computes normals like three's chunks, for shaders without these. */
 const NORMAL = `#ifdef USE_SKINNING
 mat4 farol_skin = skinWeight.x * boneMatX + skinWeight.y * boneMatY + skinWeight.z * boneMatZ + skinWeight.w * boneMatW;
 farol_normal = (bindMatrixInverse * farol_skin * bindMatrix * vec4(farol_normal, 0.0)).xyz;

@@ -7,17 +7,17 @@ import type { SurfaceUniform } from './SurfaceUniform';
 /** Parsed text of a surface. */
 export interface ParsedSurface {
   readonly uniforms: readonly SurfaceUniform[];
-  /** Whether the text has `void surface(inout SurfaceData s)`; `displaces`: `void displace(inout VertexData v)`. */
+  /** Whether the text defines `void surface(inout SurfaceData s)`; `displaces`: `void displace(inout VertexData v)`. */
   readonly paints: boolean;
   readonly displaces: boolean;
   /** Whether the surface discards pixels, or may make the alpha test do so. */
   readonly discards: boolean;
-  /** Whether the surface's look, and its shape, depend on the time; discarded pixels count as shape. */
+  /** Whether pixels depend on the time; `movesByTime`: whether vertices, or discarded pixels, do. */
   readonly paintsByTime: boolean;
   readonly movesByTime: boolean;
   /** Greatest displacement (m), as a sum of products of uniforms; null if not declared, see `readReach`. */
   readonly reach: readonly ReachTerm[] | null;
-  /** GLSL for each stage, with a prefix before every name that the text declares; no line has moved. */
+  /** GLSL for each stage, with a prefix on every name that the text declares; line numbers are kept. */
   readonly fragment: string;
   readonly vertex: string;
 }
@@ -29,8 +29,8 @@ const HOOKS = {
 } as const;
 
 /**
- * Reads a surface: GLSL with one hook or both, and declared uniforms (see `readUniforms`).
- * @param name - name in errors
+ * Parses a surface: GLSL with one hook or both, and declared uniforms (see `readUniforms`).
+ * @param name - name for errors
  * @param prefix - prefix of all names that the text declares, so that they differ from other surfaces' and three's
  * @throws MicroShaderCompileError with the line
  */
@@ -77,7 +77,7 @@ export function parseSurface(name: string, source: string, prefix: string): Pars
   return {
     uniforms,
     paints: paint !== undefined,
-    // an empty hook does not count, since displaced vertices cost more
+    // an empty hook is ignored, since displaced vertices cost more
     displaces: displace !== undefined && !/\{\s*\}$/.test(code.slice(displace.start, displace.end)),
     paintsByTime,
     movesByTime: (displace !== undefined && TIME.test(withoutComments(vertex))) || (discards && paintsByTime),
@@ -97,17 +97,14 @@ function lineOf(text: string, at: number): number {
   return text.slice(0, at).split('\n').length;
 }
 
-/** Replaces comments by blanks; every other character keeps its place. */
+/** Replaces comments by blanks; all other characters keep their position. */
 function withoutComments(text: string): string {
   return text.replace(/\/\*[^]*?\*\/|\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
 }
 
 interface Head {
   readonly name: string;
-  /**
-   * Start of the declaration, of its name, and the end of a function's body (characters); 0 for what is no function
-   * with a body.
-   */
+  /** Index of the declaration's start, of its name, and of the end of a function's body; `end` is 0 without a body. */
   readonly start: number;
   readonly at: number;
   readonly end: number;
@@ -115,7 +112,7 @@ interface Head {
 
 /** Declarations outside of braces in code without comments: functions, constants, globals, structures. */
 function topLevel(code: string): Head[] {
-  // preprocessor lines are blanked: they are no statements
+  // preprocessor lines are blanked, since they are not statements
   const text = code.replace(/^[ \t]*#(?:.*\\\n)*.*/gm, (line) => line.replace(/[^\n]/g, ' '));
   const heads: Head[] = [];
   let depth = 0;
@@ -149,7 +146,7 @@ function topLevel(code: string): Head[] {
   return heads;
 }
 
-/** Names of `a, b = f(1, 2), c[3]`. */
+/** Names declared by a list such as `a, b = f(1, 2), c[3]`. */
 function namesOf(list: string): string[] {
   let flat = list;
   for (let before = ''; before !== flat;) {
@@ -168,13 +165,13 @@ function closing(text: string, open: number): number {
   return text.length;
 }
 
-/** Returns a text with one part blanked out; lines stay as they are. */
+/** Returns a text with one part blanked out; line numbers are kept. */
 function blanked(plain: string, text: string, start: number, end: number): string {
   const first = lineOf(text, start + /^\s*/.exec(text.slice(start))![0].length);
   const last = lineOf(text, end);
   const lines = plain.split('\n');
   const whole = text.split('\n');
-  // text before and after the part in its first and last line stays
+  // keeps the text before the part in its first line, and after it in its last line
   const before = text
     .slice(0, start + /^\s*/.exec(text.slice(start))![0].length)
     .split('\n')
@@ -186,7 +183,7 @@ function blanked(plain: string, text: string, start: number, end: number): strin
   return lines.join('\n');
 }
 
-/** Puts a prefix before names, but for members of structures, and not in lines that include. */
+/** Adds a prefix to names, except members of structures, and except in lines that include. */
 function prefixed(text: string, names: ReadonlySet<string>, prefix: string): string {
   if (names.size === 0) return text;
   const expression = new RegExp(`(?<![\\w.])(?:${[...names].join('|')})(?!\\w)`, 'g');

@@ -4,7 +4,7 @@ import type { MicroShaderSource } from '../microshaders/dependencyOrder';
 import { composeHeaders } from '../microshaders/composeSource';
 import { WebGLShaderCompiler } from '../microshaders/WebGLShaderCompiler';
 
-/** Declarations that three's shaders contain before a surface's code. */
+/** Declarations that precede a surface's code in three's shaders. */
 const GIVEN = {
   vertex: `#include <common>
 attribute vec3 position;
@@ -27,8 +27,8 @@ uniform bool isOrthographic;
 };
 
 /**
- * Compiles a surface in a small shader of its own, with the declarations common to all of three's.
- * @param chunks - chunks of the surface; the registry may hold others of these names
+ * Compiles a surface in a small separate shader, with the declarations common to three's shaders.
+ * @param chunks - chunks of the surface, in place of the registry's of the same names
  * @throws MicroShaderCompileError with chunk and line; Error for an unknown include
  */
 export function probeSurface(

@@ -1,7 +1,7 @@
 import { surfaceError } from './surfaceError';
 import type { SurfaceUniform } from './SurfaceUniform';
 
-/** A product of a number and of values of uniforms. */
+/** A product of a number and values of uniforms. */
 export interface ReachTerm {
   readonly factor: number;
   readonly names: readonly string[];
@@ -10,12 +10,11 @@ export interface ReachTerm {
 const LINE = /^[ \t]*\/\/[ \t]*reach[ \t]*:(.*)$/;
 
 /**
- * Reads the greatest displacement of a surface's vertices: a line `// reach: 0.1 + 2 * height`, a sum of products of
- * numbers and of uniforms of type float or int (m, in the object's own space). Objects are left out of pictures and
- * shadow maps by it.
+ * Reads the greatest displacement of a surface's vertices: a line `// reach: 0.1 + 2 * height`, a sum of products of numbers and
+ * of uniforms of type float or int (m, in the object's own space). Culling for pictures and shadow maps uses it.
  * @param name - name of the surface, for errors
  * @returns null if there is no such line
- * @throws MicroShaderCompileError with the line, for what is no such sum
+ * @throws MicroShaderCompileError with the line, for any other expression
  */
 export function readReach(name: string, text: string, uniforms: readonly SurfaceUniform[]): ReachTerm[] | null {
   const lines = text.split('\n');

@@ -12,7 +12,7 @@ const sizes: Readonly<Record<SurfaceUniformType, number>> = {
   sampler2D: 0,
 };
 
-/** Names that three gives every shader; a surface that declares one gets three's value. */
+/** Names of uniforms that three sets in every shader; a surface that declares one gets three's value. */
 export const threeUniforms: readonly string[] = [
   ...['modelMatrix', 'modelViewMatrix', 'projectionMatrix', 'viewMatrix', 'normalMatrix'],
   ...['cameraPosition', 'isOrthographic'],
@@ -26,11 +26,10 @@ const LIST = new RegExp(`^(?:i?vec[234]\\()?\\s*(${NUMBER}(?:\\s*,\\s*${NUMBER})
 const COLOR = /^#([\da-fA-F]{6}|[\da-fA-F]{3})\b/;
 
 /**
- * Reads the uniforms that a surface declares: `uniform float height; // = 0.2 [0, 1, 0.01] Height of the waves (m)`.
- * The comment's parts (default, range with step, label) may be left out from the right; a comment without `=` is all
- * label.
+ * Parses the uniforms that a surface declares: `uniform float height; // = 0.2 [0, 1, 0.01] Height of the waves (m)`. The
+ * comment's parts (default, range with step, label) are optional, from the last on; a comment without `=` is only a label.
  * @param name - name of the surface, for errors
- * @throws MicroShaderCompileError with the line, for a type or a default that cannot be
+ * @throws MicroShaderCompileError with the line, for an invalid type or default
  */
 export function readUniforms(name: string, text: string): SurfaceUniform[] {
   const found: SurfaceUniform[] = [];
@@ -53,7 +52,7 @@ export function readUniforms(name: string, text: string): SurfaceUniform[] {
   return found;
 }
 
-/** Reads the comment of a uniform. @returns a text that says what is wrong */
+/** Parses the comment of a uniform. @returns the uniform, or a text that says what is wrong */
 function readComment(
   type: SurfaceUniformType,
   name: string,

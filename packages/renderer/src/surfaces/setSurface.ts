@@ -3,7 +3,7 @@ import { ownSurfacesOf, surfacesOf as wornBy } from '../materials/surfacesOf';
 import { MaterialSurfaces } from './MaterialSurfaces';
 import type { Surface, SurfaceValue, SurfaceValues } from './Surface';
 
-/** The values of a surface's declared uniforms on one material, by name: `uniforms.height.value = 0.4`. */
+/** Values of a surface's uniforms on one material, by name: `uniforms.height.value = 0.4`. */
 export type SurfaceUniforms = Readonly<Record<string, IUniform<SurfaceValue>>>;
 
 /** One of the surfaces (GLSL hooks) of a material, with its values. */
@@ -16,7 +16,7 @@ type AnyMaterial = Material & Record<`is${string}Material`, boolean | undefined>
 
 const WEARERS = ['Standard', 'Lambert', 'Phong', 'Toon', 'Basic', 'Matcap'] as const;
 
-/** Whether a material can use surfaces: three's own mesh materials but for depths, distances and normals. */
+/** Whether a material can use surfaces: three's own mesh materials, except those for depths, distances and normals. */
 export function canWearSurface(material: Material): boolean {
   return WEARERS.some((name) => (material as AnyMaterial)[`isMesh${name}Material`] === true);
 }
@@ -32,23 +32,22 @@ function surfacesOf(material: Material): MaterialSurfaces {
 }
 
 /**
- * Gives a material a surface in place of all that it wore: whatever draws it by Farol draws it so, in every technique,
- * its G-buffer, depth and motion, its shadows included. Nothing of the material is changed: stock three draws it
- * without the surface. Where vertices move farther than their geometry's bounding sphere reaches, set `frustumCulled`
- * of the objects to false, or give them a `boundingSphere` that is larger by `surfaceReach(material)`.
+ * Sets the only surface of a material, which Farol then applies in every technique: to pictures, G-buffers, depth, motion and
+ * shadows. The material itself is not changed: stock three draws it without the surface. If vertices leave their geometry's
+ * bounding sphere, set `frustumCulled` of the objects to false, or give them a `boundingSphere` that is larger by
+ * `surfaceReach(material)`.
  * @param surface - the surface; null for none
- * @param values - values of the surface's uniforms, in place of their defaults; vectors and linear colours may be lists
- * of numbers
+ * @param values - values of the surface's uniforms, in place of defaults; vectors and linear colours may be arrays of numbers
  * @returns the values, which may be changed at any time
- * @throws Error for a material that is none of three's mesh materials, or a value of a uniform that is not declared
+ * @throws Error for a material other than three's mesh materials, or a value for an undeclared uniform
  */
 export function setSurface(material: Material, surface: Surface | null, values: SurfaceValues = {}): SurfaceUniforms {
   return surfacesOf(material).set(surface === null ? [] : [surface], surface, values);
 }
 
 /**
- * Adds a surface to a material, applied after its other surfaces; else as `setSurface`.
- * @returns the values of the added one
+ * Adds a surface to a material, applied after its other surfaces; otherwise like `setSurface`.
+ * @returns the values of the added surface
  */
 export function addSurface(material: Material, surface: Surface, values: SurfaceValues = {}): SurfaceUniforms {
   const surfaces = surfacesOf(material);
@@ -57,10 +56,10 @@ export function addSurface(material: Material, surface: Surface, values: Surface
 }
 
 /**
- * Gives a material all surfaces of another one, by the values of that one, and one more surface of its own after them;
- * a surface that both wear is worn once, by the own values. For a material that is a copy of the other one, for some of
- * its objects. To be called again when the other one wears other surfaces.
- * @returns the values of the own one
+ * Gives a material all surfaces of another one, sharing their values, followed by one more surface; a surface in both is applied
+ * once, with the material's own values. For a copy of the other material that some objects use. Call again when the other
+ * material's surfaces change.
+ * @returns the values of the added surface
  */
 export function layerSurface(
   material: Material,

@@ -7,7 +7,7 @@ struct VertexData {
   float time; // time (s)
 };
 struct SurfaceData {
-  vec3 positionOS; // position in the geometry (m), neither displaced nor morphed, so that patterns stick to it
+  vec3 positionOS; // position in the geometry (m), before displacement and morphs, so that patterns stick to it
   vec3 positionWS; // position of the pixel's surface, world space (m)
   vec3 positionVS; // position of the pixel's surface, view space (m)
   vec3 normalOS; // normal of the geometry, not of unit length
@@ -17,7 +17,7 @@ struct SurfaceData {
   vec2 uv;
   float time; // time (s)
   bool frontFacing;
-  // members below: a surface changes them
+  // members below: a surface may change them
   vec3 color; // linear colour
   float opacity;
   float roughness;

@@ -10,12 +10,11 @@ const VARYINGS: Readonly<Record<string, string>> = {
 const VARYING_LINE = /^[ \t]*varying[ \t]+(?:(?:high|medium|low)p[ \t]+)?(\w+)[ \t]+(\w+)[ \t]*;.*$/;
 
 /**
- * The text of a surface that is what fragment microshaders draw, such as the thesis's of Phong materials under one
- * light: `['surface', 'light', 'light_point', 'phong', 'phong_output']` of `microshaders/thesis.xml`. What they write
- * to `gl_FragColor` is emitted, and nothing else is: wear it on a MeshBasicMaterial, or on a black one. Their uniforms
- * are the surface's.
- * @param chunks - that there are; of the varyings that they read, positionWS, normalWS and textureCoordinate can be had
- * @param names - names of the chunks whose main parts make the fragment shader, in this order
+ * Text of a surface that draws the colour of fragment microshaders, such as the thesis's Phong material under one light:
+ * `['surface', 'light', 'light_point', 'phong', 'phong_output']` of `microshaders/thesis.xml`. Their `gl_FragColor` becomes the
+ * only emitted light: use it on a MeshBasicMaterial, or a black one. Their uniforms are the surface's.
+ * @param chunks - all chunks; they may read the varyings positionWS, normalWS and textureCoordinate
+ * @param names - names of the chunks whose main parts form the fragment shader, in this order
  * @throws Error for an unknown chunk or varying
  * @see thesis 3.1.2
  */

@@ -7,9 +7,9 @@ export const auto: Technique = {
   help: 'Picks the fastest technique for what is in view, and says why.',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
-  // fetched ahead, since most scenes are drawn by it
+  // code of clustered techniques, fetched ahead since most scenes need it
   lazy: gridCode,
-  // the chooser picks a technique that writes what effects need
+  // where an effect reads the G-buffer, the chooser picks a technique that writes it
   writes: ['gbuffer'],
   passes() {
     throw new Error('Farol: "auto" has no passes of its own; ask the technique that it picks.');

@@ -5,7 +5,7 @@ import { forwardTail } from './forwardTail';
 import type { Technique } from '../frame/Technique';
 
 /**
- * Deferred shading: the surfaces into a G-buffer once, then each light over the pixels of its volume.
+ * Deferred shading: surfaces are drawn into a G-buffer once, then each light is drawn over the pixels of its volume.
  * @see Deering et al. 1988; Hargreaves and Harris 2004; thesis 2.2.3.3.1 and 3.2.3.2
  */
 export const deferred: Technique = {

@@ -2,7 +2,8 @@ import { multipassCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
 /**
- * Multipass forward rendering: ambient and emissive once, then one additive pass a light over what it reaches.
+ * Multipass forward rendering: ambient and emissive light once, then one additive pass for each light over the objects in its
+ * range.
  * @see thesis 2.2.2 and 3.2.3.1
  */
 export const forward: Technique = {

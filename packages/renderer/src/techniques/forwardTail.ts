@@ -3,10 +3,11 @@ import type { Pass, Resource } from '../frame/Pass';
 import type { LightLoop } from '../materials/LightLoop';
 
 /**
- * Passes that end every technique: the opaque items it has not drawn, then what transmits, then what is transparent,
- * back to front, each lit by all the lights that the loop gives it.
+ * Passes that end every technique: opaque items not drawn yet, then transmissive ones, then transparent ones, back to front,
+ * each lit by `loop` or `behind`.
  * @param loop - microshader that loops over the lights
- * @param behind - the loop of what transmits or is transparent, where lists hold opaque depths alone; default `loop`
+ * @param behind - the loop of transmissive and transparent items, which light lists culled by opaque depths do not cover;
+ *   default `loop`
  */
 export function forwardTail(loop: LightLoop, reads: readonly Resource[] = [], behind = loop): Pass[] {
   return [

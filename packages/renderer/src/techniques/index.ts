@@ -11,7 +11,7 @@ import { tiledDeferred } from './tiledDeferred';
 import { tiledForward } from './tiledForward';
 import type { Technique } from '../frame/Technique';
 
-/** All techniques by key. A new one is a file and a line here. */
+/** All techniques by name. A new technique is a file and a line here. */
 export const techniques = {
   auto,
   forward,

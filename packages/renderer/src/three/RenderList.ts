@@ -16,14 +16,14 @@ export interface RenderList {
     camera?: Camera,
   ): void;
   init(): void;
-  /** @param reversed - whether depth is reversed, and so the lists: until three 0.185, which hands `push` no camera */
+  /** @param reversed - whether to reverse the lists for reversed depth; only in three up to 0.185, whose `push` has no camera */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed?: boolean): void;
   finish(): void;
 }
 
 /** three's WebGLRenderLists. */
 export interface RenderLists {
-  /** @param depth - nesting depth of renders, as three counts it: one too many for each frame that an exception has ended */
+  /** @param depth - nesting depth of renders, as counted by three: one too high for each frame ended by an exception */
   get(scene: Object3D, depth: number): RenderList;
 }
 

@@ -7,7 +7,7 @@ export interface GeometryGroup {
   materialIndex?: number;
 }
 
-/** One draw as three's lists hold it. */
+/** One draw in three's render lists. */
 export interface RenderListItem {
   id: number;
   object: Object3D;
@@ -20,5 +20,5 @@ export interface RenderListItem {
   z: number;
 }
 
-/** Order of two draws, as `Array.sort` takes it. */
+/** Comparison of two draws, for `Array.sort`. */
 export type RenderItemSort = (a: RenderListItem, b: RenderListItem) => number;

@@ -4,7 +4,7 @@ import { hashText } from '../microshaders/hashText';
 const chunks = ShaderChunk as Record<string, string>;
 const INCLUDE = /#include +<([\w./]+)>/g;
 const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
-/** Shaders of lit materials; from SHADERS_LIT on, shaders that draw shadow maps. */
+/** Names of the shaders of lit materials; from SHADERS_LIT on, of shaders that draw shadow maps. */
 const SHADERS = ['lambert', 'phong', 'toon', 'physical', 'depth', 'distance'] as const;
 const SHADERS_LIT = 4;
 /** Number of frames over which the comparison of three's texts is spread. */
@@ -16,9 +16,9 @@ const shaderText = (i: number) => ShaderLib[SHADERS[i >> 1]][i & 1 ? 'fragmentSh
 export type ChunkGroup = 'lights' | 'shadows' | 'shading';
 
 /**
- * The texts of each minor of three, by `REVISION`, as a hash each: see `textHash`. Until 0.185 three compensated multiple
- * scattering for each light by look-ups at its direction, which has no sum over lights: shading counts as changed there, so
- * that lit materials are drawn forward, by three's own functions.
+ * Hashes of the unchanged texts of each minor of three, by `REVISION`, see `textHash`. Up to 0.185, three compensated multiple
+ * scattering for each light by its direction, which cannot be summed over lights: shading counts as changed there, so that lit
+ * materials are drawn forward, by three's own functions.
  */
 const PRISTINE: Record<string, Partial<Record<ChunkGroup, string>>> = {
   183: { lights: '1k59at', shadows: 'ok22gn' },
@@ -30,10 +30,10 @@ const PRISTINE: Record<string, Partial<Record<ChunkGroup, string>>> = {
 /** Hashes of the page's version of three; none for an unknown version, which then counts as changed. */
 const pristine = PRISTINE[REVISION] ?? {};
 
-/** Whether this three's shading of a light is a sum that buffers can hold: since 0.186. */
+/** Whether this three's shading can be summed over lights, as buffers need: since 0.186. */
 export const sumsLights = Number(REVISION) >= 186;
 
-/** A hash of a text without its comments and spaces, which builds of three leave out. */
+/** Hash of a text without comments and spaces, which builds of three remove. */
 export function textHash(text: string): string {
   return hashText(text.replace(/\/\/.*|\/\*[^]*?\*\/|\s+/g, '')).slice(0, 6);
 }
@@ -47,26 +47,26 @@ function addIncludes(text: string, names: Set<string>): void {
 }
 
 /**
- * Record of the shaders of three's that the page has changed by `ShaderChunk` or `ShaderLib`, before Farol was there or
- * since: percentage closer soft shadows, cascades, fogs and tone mappings come so.
+ * Detects shaders of three's that the page has changed by `ShaderChunk` or `ShaderLib`, before or after Farol was loaded, as
+ * add-ons for soft shadows, cascades, fogs and tone mappings do.
  */
 export class ThreeChunks {
   /** Number that grows with each change. */
   revision = 0;
-  /** Whether the light loops or the lights' data have changed: then only three's own lights are right. */
+  /** Whether the light loops or the lights' data have changed: then three must light the scene. */
   lights = false;
-  /** Whether shadow look-ups or casters' positions have changed: then only three's own shadow maps are right. */
+  /** Whether shadow look-ups or casters' positions have changed: then three must draw the shadow maps. */
   shadows = false;
-  /** Whether any other part of lit shaders has changed: then only three's whole shaders are right. */
+  /** Whether any other part of lit shaders has changed: then lit materials are drawn forward by three's own functions. */
   shading = false;
   private readonly names: string[] = [];
   private readonly texts: string[] = [];
   private calls = 0;
 
   /**
-   * Compares three's texts.
-   * @param some - whether to compare one text in FRAMES, others at each call. Default false
-   * @returns whether one has changed since it was compared last
+   * Compares three's texts with those of the last call.
+   * @param some - whether to compare only one in FRAMES of them, others in later calls. Default false
+   * @returns whether any has changed
    */
   follow(some = false): boolean {
     const { names, texts } = this;
@@ -83,7 +83,7 @@ export class ThreeChunks {
     return true;
   }
 
-  /** Hashes of the present texts. */
+  /** Hashes of the current texts. */
   hashes(): Record<ChunkGroup, string> {
     const casters = new Set(['shadowmap_pars_fragment', 'shadowmap_pars_vertex', 'shadowmap_vertex']);
     const lit = new Set<string>(['tonemapping_pars_fragment', 'colorspace_pars_fragment']);
@@ -91,7 +91,7 @@ export class ThreeChunks {
     shaders.forEach((text, i) => addIncludes(text, i < 2 * SHADERS_LIT ? lit : casters));
     casters.delete('common');
     for (const name of [...LIGHTS, ...casters]) lit.delete(name);
-    // positions are rebuilt from depth as three projects them
+    // positions computed from depth rely on three's projection
     lit.add('project_vertex');
     this.names.length = this.texts.length = 0;
     const hash = (names: Iterable<string>, from = 0, to = from) => {
@@ -109,5 +109,5 @@ export class ThreeChunks {
   }
 }
 
-/** The page's only ThreeChunks, since three has one `ShaderChunk` a page. */
+/** The page's only ThreeChunks, since three has one `ShaderChunk` for each page. */
 export const threeChunks = new ThreeChunks();

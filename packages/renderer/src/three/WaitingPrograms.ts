@@ -4,7 +4,7 @@ import type { WebGLRenderer } from 'three';
 export interface Program {
   /** The WebGL program; undefined once deleted. */
   readonly program?: WebGLProgram;
-  /** The first call waits for the link, as does that of `getAttributes`. */
+  /** three's cached uniforms; the first call waits for the link, as that of `getAttributes` does. */
   getUniforms: () => unknown;
   getAttributes(): unknown;
   isReady(): boolean;
@@ -22,14 +22,14 @@ export class WaitingPrograms {
     return this.programs.length;
   }
 
-  /** Adds a program while the others are blocked. */
+  /** Adds a program, blocked until `unblock`. */
   add(program: Program, stop: () => never): void {
     this.programs.push(program);
     this.getters.push(program.getUniforms);
     program.getUniforms = stop;
   }
 
-  /** Makes three's calls for the uniforms of waiting programs throw: they would wait for the link. */
+  /** Makes three's calls for the uniforms of waiting programs throw, since they would wait for the link. */
   block(stop: () => never): void {
     for (const program of this.programs) program.getUniforms = stop;
   }
@@ -38,7 +38,7 @@ export class WaitingPrograms {
     for (let i = 0; i < this.programs.length; i++) this.programs[i].getUniforms = this.getters[i];
   }
 
-  /** Asks for uniforms and attributes of the first program that the device has linked, as its first draw would. */
+  /** Reads uniforms and attributes of the first waiting program, if it is linked, as its first draw would. */
   finishOne(): void {
     const { programs, getters } = this;
     if (programs.length === 0) return;
@@ -67,7 +67,7 @@ export function programsOf(webgl: WebGLRenderer): ProgramList {
   return webgl.info.programs as unknown as ProgramList;
 }
 
-/** Calls a function with each program that three starts to compile. @returns function that ends the calls */
+/** Calls a function with each program that three starts to compile. @returns function that stops the calls */
 export function watchNewPrograms(programs: ProgramList, tell: (program: Program) => void): () => void {
   programs.push = (program: Program) => {
     tell(program);
@@ -76,7 +76,7 @@ export function watchNewPrograms(programs: ProgramList, tell: (program: Program)
   return () => void Reflect.deleteProperty(programs, 'push');
 }
 
-/** Ends three's draws by an exception where they would first use their program. @returns lets them go on */
+/** Ends three's draws by an exception where they would first use their program. @returns function that restores normal draws */
 export function stopUsingPrograms({ state }: WebGLRenderer, stop: () => never): () => void {
   const { useProgram } = state;
   state.useProgram = stop;

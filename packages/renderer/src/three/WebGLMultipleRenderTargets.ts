@@ -1,9 +1,8 @@
 import { WebGLRenderTarget, type RenderTargetOptions } from 'three';
 
 /**
- * Several colour attachments of one size, drawn to at once, by the name and arguments that three.js had for them until r171:
- * for code written for those, such as that of the thesis. New code makes three's own `WebGLRenderTarget(width, height,
- * { count })`, which this is.
+ * Render target with several colour attachments, with the name and arguments of three.js up to r171, for older code such as the
+ * thesis's. New code should use three's `WebGLRenderTarget(width, height, { count })`, its base class.
  * @param width - pixels, at least 1
  * @param height - pixels, at least 1
  * @param count - number of colour attachments, at least 1 and at most the device's MAX_DRAW_BUFFERS (4 everywhere)

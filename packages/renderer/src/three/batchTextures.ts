@@ -1,6 +1,6 @@
 import type { BatchedMesh, DataTexture } from 'three';
 
-/** Private properties of a BatchedMesh that hold its instances. */
+/** Private properties of three's BatchedMesh with its instances. */
 interface Batch {
   readonly _matricesTexture: DataTexture;
   readonly _indirectTexture: DataTexture;

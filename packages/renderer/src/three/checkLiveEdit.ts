@@ -2,26 +2,26 @@ import { ShaderChunk, type WebGLRenderer } from 'three';
 import { MicroShaderCompileError } from '../microshaders/MicroShaderCompileError';
 import type { MicroShaderRegistry } from '../microshaders/MicroShaderRegistry';
 
-/** Programs as `WebGLRenderer.info.programs` lists them. */
+/** Entry of `WebGLRenderer.info.programs`. */
 interface Program {
   readonly name: string;
   readonly vertexShader: WebGLShader;
   readonly fragmentShader: WebGLShader;
 }
 
-/** Matches the line in which a material lists names that it has replaced in its program: 'old=new', in order. */
+/** Matches the line in which a material lists the names replaced in its program: 'old=new', in order. */
 const NAMES = /^\/\/ names (.+)$/m;
 
 const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
 
 /**
- * Tries a replaced microshader in every program on the GPU that holds it, before it takes effect.
- * @param names - the replaced chunk and its dependants; the registry gives their new text already
+ * Test-compiles a replaced microshader in every existing program that contains it, before it takes effect.
+ * @param names - the replaced chunk and its dependants; the registry already returns their new text
  * @throws MicroShaderCompileError with chunk and line, when one of them does not compile
  */
 export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistry, names: readonly string[]): void {
   const gl = webgl.getContext() as WebGL2RenderingContext;
-  // chunks that were replaced before, in programs that have not been drawn with since
+  // also chunks replaced before, in programs not drawn since
   const edited = registry.names().filter((name) => registry.get(name) !== registry.original(name));
   const all = [...new Set([...edited, ...names])];
   for (const program of (webgl.info.programs ?? []) as unknown as Program[]) {
@@ -31,7 +31,7 @@ export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistr
       const after = withNewText(before, registry, all);
       if (after === before) continue;
       const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
-      if (shader === null) return; // the context is lost: three compiles anew when it is back
+      if (shader === null) return; // the context is lost: three recompiles once it is restored
       gl.shaderSource(shader, after);
       gl.compileShader(shader);
       const compiled = gl.getShaderParameter(shader, gl.COMPILE_STATUS) as boolean;
@@ -42,7 +42,7 @@ export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistr
   }
 }
 
-/** The source of a program with the frames of the named chunks as the registry has them now. */
+/** The source of a program, with the named chunks' frames replaced by the registry's current texts. */
 function withNewText(source: string, registry: MicroShaderRegistry, names: readonly string[]): string {
   let text = source;
   for (const name of names) {
@@ -66,7 +66,7 @@ function withNewText(source: string, registry: MicroShaderRegistry, names: reado
 
 const FRAMES = /^\/\/ <([^/>][^>]*)>(?: \d+)?\n[^]*?^\/\/ <\/\1>\n/gm;
 
-/** Puts the frame of `name` out of `composed` in its place, after all that it depends on: frames that stood later move. */
+/** Replaces the frame of `name` by that in `composed`; moves frames of its dependencies in front of it. */
 function replaceFrames(text: string, composed: string, name: string): string {
   const frames = framesOf(composed);
   const place = framesOf(text).get(name);

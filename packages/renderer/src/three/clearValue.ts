@@ -12,9 +12,9 @@ const colour = new Color();
 const encoded = { r: 0, g: 0, b: 0 };
 
 /**
- * The value that three clears the current target's colour to for a scene, without asking the device, which would wait.
+ * Computes the colour that three clears the current target to for a scene, without reading GL state, which would wait.
  * @param premultiplied - whether the context's colours are multiplied by alpha
- * @param value - gets red, green, blue and alpha, in the encoding of the target
+ * @param value - receives red, green, blue and alpha, in the encoding of the target
  * @see three.js r187, WebGLBackground and getUnlitUniformColorSpace
  */
 export function clearValue(webgl: WebGLRenderer, source: Object3D, premultiplied: boolean, value: Vector4): void {
@@ -24,7 +24,7 @@ export function clearValue(webgl: WebGLRenderer, source: Object3D, premultiplied
   else webgl.getClearColor(colour);
   const alpha = isColor ? 1 : webgl.getClearAlpha();
   const target = webgl.getRenderTarget() as (WebGLRenderTarget & { isXRRenderTarget?: boolean }) | null;
-  // targets marked by setDrawnAsCanvas are drawn to as the canvas is
+  // targets marked by setDrawnAsCanvas are drawn like the canvas
   const space =
     target === null
       ? webgl.outputColorSpace

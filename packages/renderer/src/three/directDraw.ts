@@ -1,7 +1,7 @@
 import type { BufferGeometry, Camera, Material, Object3D, Scene, WebGLRenderer } from 'three';
 import type { GeometryGroup } from './RenderListItem';
 
-/** three's `renderBufferDirect`, which draws without a scene and without groups too. */
+/** three's `renderBufferDirect`, which also draws without a scene or group. */
 export type DirectDraw = (
   camera: Camera,
   scene: Scene | null,
@@ -11,7 +11,7 @@ export type DirectDraw = (
   group: GeometryGroup | null,
 ) => void;
 
-/** Returns the function by which a renderer draws one object with one material, inside its own `render`. */
+/** Returns a renderer's function that draws one object with one material, for use inside its `render`. */
 export function directDraw(webgl: WebGLRenderer): DirectDraw {
   return webgl.renderBufferDirect as unknown as DirectDraw;
 }

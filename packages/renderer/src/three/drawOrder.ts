@@ -1,6 +1,6 @@
 import { LessEqualDepth, type Material, NoBlending, NormalBlending } from 'three';
 
-/** True for a material drawn as stock three draws opaque things by default: any pass may draw it in its own order. */
+/** True for a material with three's default state of opaque materials: any pass may draw it in any order. */
 export function isPlainOpaque(material: Material): boolean {
   return (
     !material.transparent &&
@@ -16,8 +16,8 @@ export function isPlainOpaque(material: Material): boolean {
 }
 
 /**
- * True for an opaque material that must be drawn in three's order: its picture depends on things drawn before, or it
- * affects things drawn after otherwise than by its depth.
+ * True for an opaque material that must be drawn in three's order: it depends on earlier draws, or affects later ones other than
+ * by its depth.
  */
 export function isOrderSensitive(material: Material): boolean {
   return (

@@ -1,6 +1,6 @@
 import type { RenderTarget } from 'three';
 
-/** three's mark of a target that is drawn to as the canvas is: tone mapped, in the colour space of its texture. */
+/** three's mark of a target that is drawn like the canvas: tone mapped, in the colour space of its texture. */
 interface Marked {
   isXRRenderTarget?: boolean;
 }
@@ -9,7 +9,7 @@ export function isDrawnAsCanvas(target: RenderTarget): boolean {
   return (target as Marked).isXRRenderTarget ?? false;
 }
 
-/** Marks a target of Farol's as drawn to as the canvas is. */
+/** Marks a target of Farol's as drawn like the canvas, or (`does` false) not. */
 export function setDrawnAsCanvas(target: RenderTarget, does: boolean): void {
   (target as Marked).isXRRenderTarget = does;
 }

@@ -1,6 +1,6 @@
 import type { IUniform, Light, Material, RenderTarget, Texture, WebGLRenderer } from 'three';
 
-// Entries of three's WebGLProperties for textures, targets and materials; gone once a lost context is restored.
+// Entries of three's WebGLProperties for textures, targets and materials; lost when a lost context is restored.
 
 interface TextureProperties {
   readonly __webglTexture?: WebGLTexture;
@@ -24,8 +24,8 @@ export function textureHandle(webgl: WebGLRenderer, texture: Texture): WebGLText
 }
 
 /**
- * Framebuffer of a target that is no cube; for a multisampled target the one it is resolved to; undefined before the
- * first use.
+ * Framebuffer of a target other than a cube; for a multisampled target, the one it is resolved to; undefined before the first
+ * use.
  */
 export function framebufferHandle(webgl: WebGLRenderer, target: RenderTarget): WebGLFramebuffer | undefined {
   return (webgl.properties.get(target) as TargetProperties).__webglFramebuffer;
@@ -39,12 +39,12 @@ export function multisampledFramebufferHandle(
   return (webgl.properties.get(target) as TargetProperties).__webglMultisampledFramebuffer;
 }
 
-/** Whether three has compiled a program for a material's present version. */
+/** Whether three has compiled a program for a material's current version. */
 export function isCompiled(webgl: WebGLRenderer, material: Material): boolean {
   return (webgl.properties.get(material) as MaterialProperties).__version === material.version;
 }
 
-/** Uniforms that a material is drawn with: those of the program compiled last; undefined before the first. */
+/** Uniforms of a material's draws, from its program compiled last; undefined before the first. */
 export function compiledUniforms(webgl: WebGLRenderer, material: Material): Record<string, IUniform> | undefined {
   return (webgl.properties.get(material) as MaterialProperties).uniforms;
 }

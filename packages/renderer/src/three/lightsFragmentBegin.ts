@@ -3,7 +3,7 @@ import { replacePart } from './replaceChunk';
 import { sumsLights } from './ThreeChunks';
 import { TwinRefusal } from './TwinRefusal';
 
-/** GLSL by which three computes multiscattering compensation once a pixel, since 0.186; before, once a light. */
+/** Condition of three's multiscattering compensation, computed once a pixel since 0.186; before, once a light. */
 const MULTISCATTERING_GATE =
   '#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )';
 const FIRST_LOOP = '#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )';
@@ -27,12 +27,12 @@ FAROL_FOR_EACH_LIGHT(geometryPosition)
 `;
 
 /**
- * three's `lights_fragment_begin` with Farol's light loop put before three's own loops.
- * @param withThreeLights - false leaves three's own loops out (for the passes of single lights)
- * @throws TwinRefusal where the page has changed the chunk
+ * three's `lights_fragment_begin` with Farol's light loop before three's own loops.
+ * @param withThreeLights - whether to keep three's own loops; not in passes of single lights
+ * @throws TwinRefusal if the page has changed the chunk
  */
 export function lightsFragmentBegin(withThreeLights: boolean): string {
-  // the compensation is also needed when only Farol's lights are there
+  // the compensation is also needed with only Farol's lights
   let text: string = ShaderChunk.lights_fragment_begin;
   if (sumsLights) text = replacePart(text, MULTISCATTERING_GATE, '#if 1');
   text = replacePart(text, AMBIENT, `${AMBIENT}\nirradiance += farol_ambientIrradiance(geometryNormal);`);

@@ -1,20 +1,19 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 
-/** Interval between tests whether the GPU is done (ms). */
+/** Interval between tests of the GPU's fence (ms). */
 const POLL_EVERY = 4;
 
 type Pixels = Uint8Array | Uint8ClampedArray | Uint16Array | Float32Array;
 
 /**
- * Reads RGBA pixels of a render target's first texture without holding up the page, as three's
- * `readRenderTargetPixelsAsync` does. That one goes on polling its fence after the context was lost and restored, which the
- * browser warns of: a sync object belongs to the context that made it. This one ends with the context, without a message.
- *
- * @param target - drawn to before; its samples are resolved
+ * Reads RGBA pixels of a render target's first texture without blocking the page, like three's `readRenderTargetPixelsAsync`.
+ * three's function still polls its fence after the context was lost and restored, of which browsers warn, since a fence belongs
+ * to its context. This one ends with the context, without a warning.
+ * @param target - target that was drawn to; its samples are resolved
  * @param x - first pixel from the left, with `y` from below; `width` and `height` in pixels, all within the target
- * @param pixels - filled, four values a pixel: of bytes, of half floats (Uint16Array) or of floats, as the target's texture is
- * @returns whether the pixels are there; false as soon as the context is lost
- * @throws Error where nothing was drawn to the target yet, or when the browser refuses to wait for the GPU
+ * @param pixels - receives four values a pixel: bytes, half floats (Uint16Array) or floats, by the type of the target's texture
+ * @returns whether the pixels were read; false as soon as the context is lost
+ * @throws Error when nothing was drawn to the target yet, or when the browser refuses to wait for the GPU
  */
 export async function readPixels(
   webgl: WebGLRenderer,
@@ -52,7 +51,7 @@ function typeOf(gl: WebGL2RenderingContext, pixels: Pixels): number {
   return pixels instanceof Uint16Array ? gl.HALF_FLOAT : gl.UNSIGNED_BYTE;
 }
 
-/** Waits until the GPU reaches a fence. @returns false as soon as the context is lost: the fence is of no context then */
+/** Waits until the GPU reaches a fence. @returns false as soon as the context is lost, and with it the fence */
 function isReached(gl: WebGL2RenderingContext, sync: WebGLSync): Promise<boolean> {
   return new Promise((resolve, reject) => {
     const { canvas } = gl;
@@ -63,7 +62,7 @@ function isReached(gl: WebGL2RenderingContext, sync: WebGLSync): Promise<boolean
     };
     const lose = (): void => end(false);
     const poll = (): void => {
-      // the event of a loss comes later than the loss
+      // the context may be lost before its event is fired
       if (gl.isContextLost()) return end(false);
       const state = gl.clientWaitSync(sync, gl.SYNC_FLUSH_COMMANDS_BIT, 0);
       if (state === gl.TIMEOUT_EXPIRED) {

@@ -3,9 +3,7 @@ import { TwinRefusal } from './TwinRefusal';
 
 type ChunkName = keyof typeof ShaderChunk;
 
-/**
- * Text of a chunk in a shader: its include, or, where the host has expanded that, three's own text; null for neither.
- */
+/** Text of a chunk in a shader: its include, or three's text where the host has expanded the include; null for neither. */
 export function findChunk(shader: string, name: ChunkName): string | null {
   const include = `#include <${name}>`;
   if (shader.includes(include)) return include;
@@ -14,8 +12,8 @@ export function findChunk(shader: string, name: ChunkName): string | null {
 }
 
 /**
- * Replaces a chunk of three's wherever a shader has it.
- * @param by - returns the new text, given the present one
+ * Replaces all occurrences of a chunk of three's in a shader.
+ * @param by - returns the new text for the current one
  * @throws TwinRefusal if the shader has no such chunk, since the host has changed or left it out
  */
 export function replaceChunk(shader: string, name: ChunkName, by: (found: string) => string): string {
@@ -30,7 +28,7 @@ export function replacePart(text: string, part: string, by: string): string {
   return text.replace(part, () => by);
 }
 
-/** Puts statements after a chunk of three's, or, where a shader has none, at the very end of its main(). */
+/** Inserts statements after a chunk of three's, or, in a shader without it, at the end of main(). */
 export function afterChunkOrAtEnd(shader: string, name: ChunkName, statements: string): string {
   const found = findChunk(shader, name);
   if (found !== null) return shader.replace(found, () => `${found}\n${statements}`);

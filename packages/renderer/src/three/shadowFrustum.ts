@@ -4,7 +4,7 @@ interface FrustumOfShadow {
   readonly _frustum: Frustum;
 }
 
-/** Name of the frustum of a LightShadow, by which three leaves casters out. */
+/** Name of LightShadow's private frustum, by which three culls casters. */
 export const SHADOW_FRUSTUM = '_frustum';
 
 export function copyShadowFrustum(from: LightShadow, to: LightShadow): void {

@@ -1,7 +1,7 @@
 /**
- * A live stand-in of an object: it inherits all that the object has, and gets properties of its own in place of some.
- * Accessors run on the object itself: a host's class may keep what they give in private fields, which a stand-in has not.
- * @param base - prototype of three's, whose own accessors and what they read stand-ins may replace
+ * Makes a live stand-in for an object: it inherits all properties, and the caller may override some. Accessors run on the object
+ * itself, since a host's class may use private fields, which a stand-in lacks.
+ * @param base - prototype of three's, whose accessors run on the stand-in
  */
 export function standInOf<T extends object>(source: T, base: object): T {
   const standIn = Object.create(source) as T;

@@ -1,6 +1,6 @@
 import type { Vector4, WebGLRenderer } from 'three';
 
-// three's WebGLState caches GL state: a direct GL call would leave the cache wrong.
+// Functions that set GL state through three's WebGLState, whose cache a direct GL call would make wrong.
 
 /** Whether depth is 1 at the near plane and 0 at the far one. */
 export function isDepthReversed(webgl: WebGLRenderer): boolean {
@@ -12,7 +12,7 @@ export function setViewport(webgl: WebGLRenderer, rectangle: Vector4): void {
   webgl.state.viewport(rectangle);
 }
 
-/** Cuts draws and clears off outside of a rectangle (pixels); the test is switched on by `testScissor`. */
+/** Sets the scissor rectangle (pixels) of draws and clears; `testScissor` enables the test. */
 export function setScissor(webgl: WebGLRenderer, rectangle: Vector4): void {
   webgl.state.scissor(rectangle);
 }
@@ -26,7 +26,7 @@ export function bindFramebuffer(webgl: WebGLRenderer, point: number, framebuffer
   webgl.state.bindFramebuffer(point, framebuffer);
 }
 
-/** Binds a texture to the unit that three used last; `unbindTexture` has three bind what it needs there. */
+/** Binds a texture to the unit that three used last; `unbindTexture` makes three bind its own there again. */
 export function bindTexture(webgl: WebGLRenderer, point: number, texture: WebGLTexture): void {
   webgl.state.bindTexture(point, texture);
 }
@@ -35,19 +35,19 @@ export function unbindTexture(webgl: WebGLRenderer): void {
   webgl.state.unbindTexture();
 }
 
-/** Lets clears write colours. */
+/** Enables colour writes, for clears. */
 export function unmaskColour(webgl: WebGLRenderer): void {
   webgl.state.buffers.color.setMask(true);
 }
 
-/** Lets clears write depths. */
+/** Enables depth writes, for clears. */
 export function unmaskDepth(webgl: WebGLRenderer): void {
   const { depth } = webgl.state.buffers;
   depth.setTest(true);
   depth.setMask(true);
 }
 
-/** Lets clears write all bits of the stencil. */
+/** Enables writes of all stencil bits, for clears. */
 export function unmaskStencil(webgl: WebGLRenderer): void {
   webgl.state.buffers.stencil.setMask(255);
 }

@@ -6,7 +6,7 @@ import type { RenderItem } from '../frame/RenderItem';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import { PassTarget } from '../gpu/PassTarget';
 
-/** Counts the shadings of each pixel, in the order in which the technique draws, for the view 'overdraw'. */
+/** Counts the shadings of each pixel, in the technique's order of draws, for the view 'overdraw'. */
 export class OverdrawPass {
   private readonly target = new PassTarget({ type: HalfFloatType, depthBuffer: true });
   private readonly counts = new FullscreenPass({

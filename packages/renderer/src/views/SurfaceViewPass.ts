@@ -21,7 +21,7 @@ const CODES: Partial<Record<View, number>> = {
   emissive: 6,
 };
 
-/** Place of each panel of 'grid', in halves of the viewport; the final picture is at the lower right (thesis 4.1). */
+/** Position of each panel of 'grid', in halves of the viewport; the final picture is at the lower right (thesis 4.1). */
 const PANELS = [
   { view: 'albedo', x: 0, y: 1 },
   { view: 'normal', x: 1, y: 1 },
@@ -30,7 +30,7 @@ const PANELS = [
 
 const panel = new Vector4();
 
-/** Twin kind that writes an item into the G-buffer of the surface views; null for items that these do not show. */
+/** Twin kind that writes an item into the G-buffer of the surface views; null for items not shown there. */
 function viewTwinOf(item: RenderItem): TwinKind | null {
   const m = item.material as Material & { isShaderMaterial?: boolean; isMeshBasicMaterial?: boolean };
   if (!isPlain(item)) return null;
@@ -38,10 +38,7 @@ function viewTwinOf(item: RenderItem): TwinKind | null {
   return m.isMeshBasicMaterial === true ? unlitViewTwin : null;
 }
 
-/**
- * Fills a G-buffer with every mesh, whatever the technique, and shows one of its properties, or three of them beside
- * the picture.
- */
+/** Draws every mesh into a G-buffer, with any technique, and shows one of its properties, or three of them beside the picture. */
 export class SurfaceViewPass {
   private readonly target = new GBufferTarget(false);
   private readonly surface = new FullscreenPass({
@@ -85,7 +82,7 @@ export class SurfaceViewPass {
     }
   }
 
-  /** Fills the G-buffer in a frame with effects, which change neither its twins nor its attachments. */
+  /** Fills the G-buffer without the effects' adapters and attachments, in a frame that has effects. */
   fillPlainly(frame: Frame): GBuffer {
     const { adapters, gbufferExtras } = frame;
     frame.adapters = [];

@@ -3,7 +3,7 @@
 uniform highp sampler2D farol_atlas;
 uniform highp vec4 farol_region; // corner and size of the tile in the atlas (texels)
 uniform highp vec4 farol_panel; // corner and size of the panel (pixels)
-uniform highp vec4 farol_depths; // near and far (m); z: 1 in perspective; w: 1 where depth is reversed
+uniform highp vec4 farol_depths; // xy: near and far (m); z: 1 in perspective; w: 1 if depth is reversed
 uniform int farol_kind; // 0 nothing, 1 depths, 2 colours
 //# main
 vec2 place = gl_FragCoord.xy - farol_panel.xy;

@@ -1,10 +1,10 @@
-// Fog between the eye and each surface: the light that it adds, or the share of light that it lets through.
+// Fog between the eye and each surface: the light that it adds, or its transmittance.
 // Wronski 2014, Volumetric Fog
 #include "gbufferRead"
 #include "media"
 #include "viewport"
 uniform vec2 farol_size;
-uniform int farol_view; // 0 light, 1 share
+uniform int farol_view; // 0 light, 1 transmittance
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 float depth = farol_gDepthAt(pixel);

@@ -1,4 +1,4 @@
-// Light in one slice of froxels: radiance that endless fog of the froxel's kind would have.
+// Light in one slice of froxels: the radiance of endless fog like the froxel's.
 // Wronski 2014, Volumetric Fog
 uniform highp sampler3D farol_froxels; // rgb: light scattered to the eye (radiance a metre); a: extinction (1/m)
 uniform highp vec4 farol_panel; // corner and size of the panel (pixels)

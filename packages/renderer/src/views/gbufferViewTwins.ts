@@ -3,7 +3,7 @@ import { nearestModel, OUTPUTS, outputs } from '../passes/gbuffer/gbufferTwins';
 import { litTwin } from '../materials/litTwin';
 import type { TwinKind, TwinShader } from '../materials/TwinKind';
 
-/** Twin as `gbufferTwin`, but the first attachment holds emissive light alone. */
+/** Twin like `gbufferTwin`, but the first attachment holds only emissive light. */
 export const litViewTwin: TwinKind = litTwin({
   key: 'gbuffer-view',
   loop: 'lightLoopNone',

@@ -17,7 +17,7 @@ export interface ViewPasses {
   dispose(): void;
 }
 
-/** Makes the passes; the renderer fetches this code when such a view is first asked for. */
+/** Makes the passes of views; late code. */
 export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
   addMicroShaders(registry, 'views', microShaders);
   const overdraw = new OverdrawPass();

@@ -1,4 +1,4 @@
-// Shows the red of a buffer with a texel for each pixel.
+// Shows the red channel of a buffer with a texel for each pixel.
 // Farol
 #include "viewport"
 uniform highp sampler2D farol_buffer;

@@ -21,10 +21,10 @@ if (!farol_isEmptyPixel(pixel, depth)) {
       ? log(distanceVS / farol_depthRange.x) / log(farol_depthRange.y / farol_depthRange.x)
       : (distanceVS - farol_depthRange.x) / (farol_depthRange.y - farol_depthRange.x));
   } else if (farol_view == 3) {
-    // a metre is a tenth of the colour, so that walls show a grid of ten
+    // one metre is a tenth of the colour's range, so that walls show a grid of ten metres
     gl_FragColor.rgb = fract((farol_viewInverse * vec4(surface.positionVS, 1.0)).xyz * 0.1);
   } else if (farol_view == 4) {
-    // Blinn-Phong's roughness by its shininess: alpha² = 2 / (shininess + 2)
+    // Blinn-Phong's roughness from shininess: alpha² = 2 / (shininess + 2)
     gl_FragColor.rgb = vec3(model == 1 ? surface.material.r
       : model == 2 ? sqrt(sqrt(2.0 / (surface.accumulation.a + 2.0))) : 1.0);
   } else if (farol_view == 5) gl_FragColor.rgb = vec3(model == 1 ? surface.material.g : 0.0);

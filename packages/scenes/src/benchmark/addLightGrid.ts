@@ -1,19 +1,19 @@
 import type { SceneBuilder } from '../SceneBuilder';
 
 interface LightGrid {
-  /** Lights from left to right. */
+  /** Number of lights from left to right. */
   count: number;
-  /** Lights from front to back. Default `count`. */
+  /** Number of lights from front to back. Default `count`. */
   rows?: number;
-  /** Side of the square that they share, in metres. */
+  /** Side of the square below the lights (m). */
   side: number;
-  /** Height of what they light, in metres. */
+  /** Height of the lit floor (m). */
   floor: number;
-  /** Whether the first four cast shadows; they do not when absent. */
+  /** Whether the first four lights cast shadows. Default false. */
   shadows?: boolean;
 }
 
-/** `count` × `rows` moving point lights in a grid over a square, each about as bright where it is, however many there are. */
+/** Adds `count` × `rows` moving point lights in a grid over a square, about equally bright for any number. */
 export function addLightGrid(
   build: SceneBuilder,
   { count, rows = count, side, floor, shadows = false }: LightGrid,

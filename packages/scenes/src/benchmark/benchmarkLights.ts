@@ -8,9 +8,9 @@ const SIDE = 30;
 
 /** Options of `benchmarkLights` and `benchmarkLightsObjects`. */
 export interface BenchmarkOptions extends SceneBuildOptions {
-  /** Planes or meshes from front to back. Default `n`. */
+  /** Number of planes or meshes from front to back. Default `n`. */
   nRows?: number;
-  /** Lights from front to back. Default `m`. */
+  /** Number of lights from front to back. Default `m`. */
   mRows?: number;
 }
 

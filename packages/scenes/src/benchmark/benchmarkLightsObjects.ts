@@ -7,14 +7,14 @@ import { registerSceneAssets } from '../registerSceneAssets';
 import { hueColour } from '../hueColour';
 import { addLightGrid } from './addLightGrid';
 
-/** Between the middles of two objects, in metres. */
+/** Distance between the centres of two objects (m). */
 const SPACING = 1.8;
 
 /**
  * `n` × `nRows` meshes of size 1 on a floor, and `m` × `mRows` moving point lights above them (thesis 3.2.8).
  * @param n - meshes from left to right, 1 or more
  * @param m - lights from left to right, 0 or more
- * @param mesh - name of a mesh of the library, or of a scene's own such as 'temple/column'; loaded if need be
+ * @param mesh - name of a mesh of the library or of a demo scene, such as 'temple/column'; loaded if necessary
  * @throws AssetError (as a rejection) when there is no such mesh
  */
 export async function benchmarkLightsObjects(

@@ -5,13 +5,13 @@ import type { SceneBuildOptions } from '../SceneDefinition';
 
 /** Options of `dragons`. */
 export interface DragonsOptions extends SceneBuildOptions {
-  /** Moving point lights; 24 when absent. */
+  /** Number of moving point lights; 24 when absent. */
   lights?: number;
 }
 
 /**
  * Four dragons on a floor, lit by coloured point lights (thesis 4.1).
- * @throws AssetError (as a rejection) when the library has an address of the dragon that cannot be read
+ * @throws AssetError (as a rejection) when the dragon cannot be loaded from the library's address
  */
 export async function dragons(options: DragonsOptions = {}): Promise<Scene> {
   const { lights = 24 } = options;

@@ -4,15 +4,15 @@ import type { SceneBuildOptions } from '../SceneDefinition';
 
 /** Options of `niceScene`. */
 export interface NiceSceneOptions extends SceneBuildOptions {
-  /** Moving point lights besides the three of the thesis; 0 when absent. */
+  /** Number of moving point lights besides the thesis's three; 0 when absent. */
   lights?: number;
 }
 
 /**
  * The thesis's NiceScene (2.2.1.3 and the G-buffer's figure): a dragon between a sphere in the air and a cylinder, in a
  * room of four planes, with all three kinds of lights. The directional light shines down, forward and to the right, so
- * that the planes behind and on the left get the red point light only; a white spot light draws an arc on the floor.
- * @throws AssetError (as a rejection) when the library has an address of the dragon that cannot be read
+ * only the red point light reaches the planes behind and on the left; a white spot light draws an arc on the floor.
+ * @throws AssetError (as a rejection) when the dragon cannot be loaded from the library's address
  */
 export async function niceScene(options: NiceSceneOptions = {}): Promise<Scene> {
   const { lights = 0, shadows = false } = options;

@@ -2,19 +2,19 @@ import type { Vector3Tuple } from '@farol/editing/fields';
 import type { MeshBuilder } from '@farol/engine/builders';
 
 export interface ArchPanel {
-  /** Width of the wall in metres. */
+  /** Width of the wall (m). */
   width: number;
-  /** Radius of the opening. */
+  /** Radius of the opening (m). */
   radius: number;
-  /** Height where the arch springs. */
+  /** Height at which the arch springs (m). */
   spring: number;
-  /** Height of the wall. */
+  /** Height of the wall (m). */
   top: number;
-  /** Half the thickness of the wall. */
+  /** Half the thickness of the wall (m). */
   thickness: number;
-  /** Facets of the arch. */
+  /** Number of facets of the arch. */
   segments: number;
-  /** Whether the wall goes down to y = 0 beside the opening. */
+  /** Whether the wall reaches down to y = 0 beside the opening. */
   jambs?: boolean;
 }
 

@@ -36,7 +36,7 @@ function looksFor(textureSize: number): Record<string, Look> {
   };
 }
 
-/** Puts the atrium's 100-odd meshes into the scene. */
+/** Adds the atrium's 100-odd meshes to the scene. */
 export function addAtrium(build: SceneBuilder, textureSize: number): void {
   registerMeshes(build.scene.assets, atriumMeshes);
   const looks = looksFor(textureSize);
@@ -50,7 +50,7 @@ export function addAtrium(build: SceneBuilder, textureSize: number): void {
   addFurniture(build, looks);
 }
 
-/** Adds one long side, its arcades facing the nave. Side 1 is at +z. */
+/** Adds one long side, with its arcades towards the nave. Side 1 is at +z. */
 function addLongSide(build: SceneBuilder, atrium: GameObject, looks: Record<string, Look>, side: number): void {
   const group = build.object(side > 0 ? 'South side' : 'North side', {
     rotation: [0, side > 0 ? Math.PI : 0, 0],

@@ -102,7 +102,7 @@ export function upperArchMesh(): BufferGeometry {
   return builder.build(0.7);
 }
 
-/** The outer wall of a long side, looking to +z: courses, pilasters and a blind arch with a window in each bay. */
+/** The outer wall of a long side, facing +z: courses, pilasters and a blind arch with a window in each bay. */
 export function longWallMesh(): BufferGeometry {
   const builder = new MeshBuilder();
   const height = storey * 2;
@@ -125,7 +125,7 @@ export function longWallMesh(): BufferGeometry {
   return builder.build(0.7);
 }
 
-/** The wall of a short end, looking to +z: a great blind arch between smaller ones. */
+/** The wall of a short end, facing +z: a great blind arch between smaller ones. */
 export function endWallMesh(): BufferGeometry {
   const builder = new MeshBuilder();
   builder.patch([-outer, 0, 0], [2 * outer, 0, 0], [0, storey * 2, 0], 20, 12);
@@ -209,7 +209,7 @@ export function roofMesh(): BufferGeometry {
   return builder.surface(length * 8, 4, slope, [length, 6]).build(0.8);
 }
 
-/** Cornice that crowns the upper arcade, looking to +z. */
+/** Cornice on top of the upper arcade, facing +z. */
 export function corniceMesh(): BufferGeometry {
   const builder = new MeshBuilder();
   builder.box([-length / 2, -0.5, -thickness], [length / 2, -0.3, thickness + 0.06], 1);

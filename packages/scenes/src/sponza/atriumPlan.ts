@@ -1,4 +1,4 @@
-/** Measures of the atrium in metres. It lies along x; its nave is open to the sky. */
+/** Measures of the atrium (m). It extends along x; its nave is open to the sky. */
 export const atriumPlan = {
   length: 40,
   bays: 8,
@@ -8,9 +8,9 @@ export const atriumPlan = {
   outer: 10,
   /** Height of a storey. */
   storey: 6.2,
-  /** Height where the lower arches spring. */
+  /** Height at which the lower arches spring. */
   spring: 3.7,
-  /** Height above the gallery where the upper arches spring. */
+  /** Height above the gallery at which the upper arches spring. */
   upperSpring: 3.5,
   /** Half the thickness of the arcades' walls. */
   thickness: 0.34,
@@ -18,5 +18,5 @@ export const atriumPlan = {
   slab: 0.45,
 } as const;
 
-/** Width of a bay in metres. */
+/** Width of a bay (m). */
 export const bayWidth = atriumPlan.length / atriumPlan.bays;

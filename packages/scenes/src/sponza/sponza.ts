@@ -8,11 +8,11 @@ import { atriumPlan } from './atriumPlan';
 
 /** Options of `sponza`. */
 export interface SponzaOptions extends SceneBuildOptions {
-  /** Width of the generated textures in texels: 128, 256 or 512; 256 when absent. */
+  /** Width of the generated textures (texels): 128, 256 or 512; 256 when absent. */
   textureSize?: 128 | 256 | 512;
-  /** Number of moving lights that cast shadows; none when absent. */
+  /** Number of moving lights that cast shadows; 0 when absent. */
   shadowLights?: number;
-  /** The lights stand still; they move when absent. */
+  /** Whether the lights stand still. Default false. */
   still?: boolean;
 }
 

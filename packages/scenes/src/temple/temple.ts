@@ -63,7 +63,7 @@ function lightEvening(build: SceneBuilder): void {
   build.light('Sun', sun, [-14, 7, 20], [0, 3, 0]);
 }
 
-/** Four lamps before the front columns and two inside, warm and steady. */
+/** Adds four steady warm lamps in front of the columns, and two inside. */
 function addSpots(build: SceneBuilder, castShadow: boolean): void {
   const { spacing } = templePlan;
   const { halfLength, floor } = templeSize;
@@ -84,7 +84,7 @@ function addSpots(build: SceneBuilder, castShadow: boolean): void {
   }
 }
 
-/** A place along the columns, from between them and the inner room to some steps before them. */
+/** Random position along the columns, from the space behind them to a few steps in front. */
 function colonnadePlace(random: () => number): Vector3Tuple {
   const out = -1.8 + 5 * random() ** 1.3;
   const [x, z] = [templeSize.halfWidth + out, templeSize.halfLength + out];
@@ -97,8 +97,8 @@ function colonnadePlace(random: () => number): Vector3Tuple {
 }
 
 /**
- * A Doric temple on a green plane, weakly lit by a reddish sun, with moving point lights, some of which stray from it
- * (thesis 4.1 and 4.2.2).
+ * A Doric temple on a green plane, weakly lit by a reddish sun, with moving point lights, a few of them away from the
+ * temple (thesis 4.1 and 4.2.2).
  * @param lights - moving point lights, 0 or more
  * @param options - `evening` for a low sun, a sky and tone mapping
  */

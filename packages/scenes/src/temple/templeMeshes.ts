@@ -6,7 +6,7 @@ import { templePlan, templeSize } from './templePlan';
 
 const FLUTES = 20;
 
-/** Radius of the shaft at v from foot (0) to neck (1): it tapers, with a slight swelling. */
+/** Radius of the shaft at v from foot (0) to neck (1): tapered, with a slight swelling. */
 const shaftRadius = (v: number): number => {
   const { columnRadius } = templePlan;
   return columnRadius * (1 - 0.2 * v + 0.05 * Math.sin(Math.PI * Math.min(1, v * 1.1)));
@@ -56,7 +56,7 @@ export function stepsMesh(): BufferGeometry {
   return builder.build();
 }
 
-/** A side of a rectangular band: its outer faces run at ±x, ±z. */
+/** Adds a rectangular band with outer faces at ±x and ±z. */
 function band(builder: MeshBuilder, x: number, z: number, thickness: number, from: number, to: number): void {
   builder
     .box([-x, from, z - thickness], [x, to, z], 1)
@@ -65,7 +65,7 @@ function band(builder: MeshBuilder, x: number, z: number, thickness: number, fro
     .box([-x, from, thickness - z], [thickness - x, to, z - thickness], 1);
 }
 
-/** Triglyphs over each column and each gap, on one face of the frieze that looks to +z. */
+/** Adds triglyphs over each column and each gap, on a face of the frieze towards +z. */
 function triglyphs(builder: MeshBuilder, columns: number, face: number, from: number, to: number): void {
   const { spacing } = templePlan;
   for (let i = 0; i <= (columns - 1) * 2; i++) {
@@ -129,7 +129,7 @@ export function roofMesh(): BufferGeometry {
   return builder.build(0.6);
 }
 
-/** The sloping cornice over one half of the pediment that looks to +z. */
+/** Adds the sloping cornice over one half of the pediment that faces +z. */
 function rakingCornice(builder: MeshBuilder, x: number, z: number, rise: number, half: number): void {
   const thick = 0.26;
   const back = z - 0.8;

@@ -1,8 +1,8 @@
-/** Measures of the temple in metres. It stands along z; its front is at +z. */
+/** Measures of the temple (m). It extends along z; its front is at +z. */
 export const templePlan = {
   columnsAcross: 6,
   columnsAlong: 9,
-  /** Between the axes of two columns. */
+  /** Distance between the axes of neighbouring columns. */
   spacing: 2.7,
   columnHeight: 6.2,
   columnRadius: 0.56,
@@ -14,13 +14,13 @@ export const templePlan = {
   corniceHeight: 0.3,
   /** Overhang of the cornice (m). */
   cornice: 0.55,
-  /** Rise of the roof over half its width. */
+  /** Slope of the roof: rise over half its width. */
   pitch: 0.27,
 } as const;
 
 const { columnsAcross, columnsAlong, spacing, steps, stepHeight } = templePlan;
 
-/** Half the distance between the outer columns' axes across and along, and the height of the floor, in metres. */
+/** Half the distance between the outer columns' axes, across and along, and the height of the floor (m). */
 export const templeSize = {
   halfWidth: ((columnsAcross - 1) * spacing) / 2,
   halfLength: ((columnsAlong - 1) * spacing) / 2,

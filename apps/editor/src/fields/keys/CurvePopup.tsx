@@ -17,7 +17,7 @@ export function CurvePopup(props: FieldEditorProps<CurveField>): ReactNode {
   const { field, label, onPreview, onCommit, onAmend, onDiscard } = props;
   const curve = props.value ?? field.default;
   const edit = useKeyEdit<CurveKey>({ keys: curve, onPreview, onCommit, onAmend, onDiscard });
-  /** Range of the graph during a drag, when it must not change. */
+  /** Range of the graph, fixed during a drag; null otherwise. */
   const [held, hold] = useState<ValueRange | null>(null);
   const range = held ?? valueRange(field, curve);
   const { low, high } = range;

@@ -3,7 +3,6 @@ import { type ReactNode, Suspense } from 'react';
 import './keys.css';
 
 interface KeysPopoverProps {
-  /** Accessible name of the control. */
   readonly label: string;
   readonly description: string;
   readonly disabled: boolean;

@@ -7,7 +7,7 @@ export interface CurvePreset {
   readonly curve: Curve;
 }
 
-/** Samples a smooth function densely enough that linear pieces look smooth. @param course - of the time, 0 to 1 */
+/** Samples a smooth function densely enough that linear pieces look smooth. @param course - value by time (0 to 1) */
 const smooth = (course: (time: number) => number): Curve =>
   Array.from({ length: 13 }, (_, i) => [Number((i / 12).toFixed(4)), Number(course(i / 12).toFixed(4))] as const);
 

@@ -23,7 +23,7 @@ import './light.css';
 
 const lampLabels = Light.fields.lamp.optionLabels as Readonly<Record<LampKind, string>>;
 
-/** A light's intensity in its unit, and the menu of units. Where the lights' units differ, in three's. */
+/** A light's intensity in its unit, and the menu of units. In three's unit when the lights' units differ. */
 export function IntensityEditor(props: OwnerFieldProps<NumberField>): ReactNode {
   const { owners, field, ...rest } = props;
   const { document } = useEditor();
@@ -47,7 +47,7 @@ interface UnitMenuProps {
   readonly symbol: string;
 }
 
-/** Units that all of the lights can have; one step of history. */
+/** Menu of the units that all of the lights can have; a choice is one step of history. */
 function UnitMenu({ lights, owners, symbol }: UnitMenuProps): ReactNode {
   const editor = useEditor();
   const [light] = lights;

@@ -7,13 +7,13 @@ import { NumberInput } from '../../ui/NumberInput';
 import { Slider } from '../../ui/Slider';
 import './light.css';
 
-/** Steps of equal look: reciprocal megakelvin (mired), with a minus so that they ascend with the temperature. */
+/** Slider position in perceptually equal steps: mireds (1e6 / K), negated to ascend with temperature. */
 const stepsOf = (kelvin: number): number => -1e6 / kelvin;
 const kelvinOf = (steps: number): number => Math.round(-1e5 / steps) * 10;
 
 const STOPS = 16;
 
-/** Colours of the temperatures from one to another, evenly in mireds, as a CSS gradient. */
+/** CSS gradient of the colours between two temperatures (K), evenly spaced in mireds. */
 function barOf(min: number, max: number): string {
   const [from, to] = [stepsOf(min), stepsOf(max)];
   const colours = Array.from({ length: STOPS }, (_, i) => {
@@ -23,7 +23,7 @@ function barOf(min: number, max: number): string {
   return `linear-gradient(to right, ${colours.join(', ')})`;
 }
 
-/** A colour temperature: a slider on the colours that the light can have, and the number. */
+/** A colour temperature: a slider over a bar of the light's possible colours, and a number. */
 export function TemperatureEditor(props: FieldEditorProps<NumberField>): ReactNode {
   const { field, value, disabled, onPreview, onCommit, onDiscard } = props;
   const { min = 1000, max = 25000, step = 10, unit } = field;

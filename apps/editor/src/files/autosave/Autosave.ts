@@ -45,7 +45,7 @@ export class Autosave implements DraftKeeper {
   private storedAt: number | null = null;
   private refusals = 0;
   private restarts = 0;
-  /** Id of the notice that drafts are not kept. */
+  /** Id of the notice that drafts cannot be stored; 0 when it was not shown. */
   private notice = 0;
   /** Id of the recovered session that this one replaces, once stored. */
   private replaced: string | null = null;
@@ -78,7 +78,7 @@ export class Autosave implements DraftKeeper {
     this.wakeIfEdited();
   }
 
-  /** Whether all that is to be kept is stored: what changes before the first edit, by a simulation say, is read with that. */
+  /** Whether all edits are stored. Changes before the first edit, as by a simulation, are stored with it. */
   get isUpToDate(): boolean {
     const isRead = this.delta.isEmpty || this.storedAt === null;
     return this.changedAt === null && !this.isReading && this.writes === 0 && isRead;
@@ -101,7 +101,7 @@ export class Autosave implements DraftKeeper {
     return offer !== null;
   }
 
-  /** Reports that the store refused something, and retries what is not stored. */
+  /** Reports that the store refused a write, and retries it. */
   refused(error: unknown): void {
     const { drafts, notices } = this.editor;
     drafts.fail(draftReason(error), this.storedAt ?? this.changedAt ?? Date.now());
@@ -116,7 +116,7 @@ export class Autosave implements DraftKeeper {
 
   /**
    * Opens a stored scene as unsaved; once stored again, it replaces the old session. @throws Error when another tab has
-   * taken it
+   * opened it
    */
   private async recover({ id, name, fileName, handle, seen }: SessionInfo): Promise<void> {
     const { editor } = this;
@@ -130,7 +130,7 @@ export class Autosave implements DraftKeeper {
     editor.commands.markUnsaved();
     this.replaced = id;
     this.wake();
-    editor.notices.show('info', t('{name} is as it was. Save it to keep it.', { name }));
+    editor.notices.show('info', t('{name} is recovered. Save it to keep it.', { name }));
   }
 
   /** Starts a new session for another scene, which is stored once it is changed. */
@@ -270,7 +270,7 @@ export class Autosave implements DraftKeeper {
       this.refusals = 0;
       this.editor.drafts.work();
       this.editor.notices.remove(this.notice);
-      this.editor.notices.show('info', t('Drafts are kept again.'));
+      this.editor.notices.show('info', t('Drafts are stored again.'));
     }
     this.stored.emit();
     // the scene changed while it was being stored
@@ -300,7 +300,7 @@ export class Autosave implements DraftKeeper {
   /** Holds a lock that tells other tabs that this session is in use. */
   private hold(): void {
     const held = navigator.locks.request(lockOf(this.session), () => new Promise(() => {}));
-    // without it, another tab may offer this session for recovery
+    // without the lock, another tab may offer this session for recovery
     held.catch(() => {});
   }
 }

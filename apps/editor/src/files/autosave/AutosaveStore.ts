@@ -21,7 +21,7 @@ export class AutosaveStore {
     return this.deaths;
   }
 
-  /** @returns the answer; rejects with the browser's error, reduced to name and message */
+  /** Sends a request. @returns the answer; rejects with the browser's error, reduced to name and message */
   send(request: WorkerRequest): Promise<unknown> {
     const id = ++this.count;
     return new Promise((resolve, reject) => {

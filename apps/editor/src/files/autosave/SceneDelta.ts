@@ -29,11 +29,11 @@ export class SceneDelta {
   private pieces: { readonly key: PartKey; readonly objects: readonly FileObject[] | null }[] = [];
   /** Number of pieces read of each prefab. */
   private readonly pieceCounts = new Map<string, number>();
-  /** Ids of objects still to be noted with everything below them; nothing is read until this is empty. */
+  /** Ids of objects still to be noted with their descendants; parts are read only once this is empty. */
   private readonly trees = new NoteList();
   private headChanged = false;
   /**
-   * Id of the container of each object when it was last noted, '' for the top; needed since a removal does not tell it.
+   * Id of the container of each object when it was last noted, '' for the top; needed since a removal does not name it.
    * Objects not in the map are at the top, or in a container that is noted but not read yet.
    */
   private readonly containerOf = new Map<string, string>();
@@ -108,8 +108,8 @@ export class SceneDelta {
   }
 
   /**
-   * Reads parts until none is left or the time is over.
-   * @param isOver - asked after each part
+   * Reads parts until none is left or the time is up.
+   * @param isOver - called after each part; whether the time is up
    * @param most - number of parts to read at most
    */
   read(isOver: () => boolean, most = Infinity): PartChange[] {

@@ -4,7 +4,7 @@ const EASY = 1;
 /** Duration of a slice (ms) once a change has waited for `LATE_FROM`. */
 const LATE = 3;
 
-/** Waiting time (ms) of a change from which slices are `LATE` long, and from which each slice is twice as long as the last. */
+/** Waiting times (ms) of a change from which slices last `LATE`, and from which each lasts twice as long. */
 const LATE_FROM = 250;
 const VERY_LATE_FROM = 5000;
 
@@ -14,7 +14,7 @@ const VERY_LATE_FROM = 5000;
  */
 const FIRST = 8;
 
-/** Limits how much of a scene is read at a stretch: little, unless a change has waited for long. */
+/** Limits how much of a scene is read in one slice: little, unless a change has waited for long. */
 export class SliceBudget {
   private parts = FIRST;
   private stretch = LATE;

@@ -6,7 +6,7 @@ import { deleteSession, listSessions, readSession, writeSession } from './store'
 
 /** Parts sent since the last commit; stored together, so that the stored scene is always complete. */
 const pending = new PendingParts();
-/** Sessions that have been stored. */
+/** Ids of sessions that have been stored. */
 const stored = new Set<string>();
 /** Queue of writes, which run one after another. */
 let last: Promise<unknown> = Promise.resolve();

@@ -3,10 +3,10 @@ import { asClause, namedError } from '../browserReason';
 
 const known = (): Readonly<Record<string, string>> => ({
   QuotaExceededError: t('it has no room left for this page; free space on the disk.'),
-  SecurityError: t('it lets this page store nothing, as in some private windows.'),
-  InvalidStateError: t('its store is shut, as in some private windows.'),
-  VersionError: t('its store is that of a newer version of Farol; reload the page.'),
-  UnknownError: t('its store is damaged, or the disk is full.'),
+  SecurityError: t('it does not let this page store data, as in some private windows.'),
+  InvalidStateError: t('its storage is closed, as in some private windows.'),
+  VersionError: t('its storage is of a newer version of Farol; reload the page.'),
+  UnknownError: t('its storage is damaged, or the disk is full.'),
 });
 
 /** Why the browser refused to store a draft: a sentence without a capital; never empty. */
@@ -18,7 +18,7 @@ export function draftReason(error: unknown): string {
 
 /** The missing browser feature without which no draft can be kept, as a sentence without a capital; null for none. */
 export function missingForDrafts(): string | null {
-  // a page with an opaque origin throws on access
+  // property access throws on a page with an opaque origin
   const has = (read: () => unknown): boolean => {
     try {
       return read() !== undefined && read() !== null;

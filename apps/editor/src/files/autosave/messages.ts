@@ -7,7 +7,6 @@ export type WorkerRequest =
   | { readonly kind: 'file'; readonly path: string; readonly blob: Blob | null }
   /** Discards all data sent since the last commit. */
   | { readonly kind: 'drop' }
-  /** Stores everything sent since the last commit. */
   | { readonly kind: 'commit'; readonly info: SessionInfo }
   | { readonly kind: 'list' }
   | { readonly kind: 'read'; readonly id: string }

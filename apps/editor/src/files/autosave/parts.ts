@@ -18,14 +18,18 @@ export const pieceKey = (id: string, index: number): PartKey => `r/${id}/${index
 export const HEAD = 'head';
 export const PREFAB_ORDER = 'q';
 
+/** Makes changes in parts. */
+export function changeParts(parts: Map<PartKey, string>, changes: Iterable<PartChange>): void {
+  for (const [key, json] of changes) {
+    if (json === null) parts.delete(key);
+    else parts.set(key, json);
+  }
+}
+
 export function mergeParts(base: readonly PartChange[], changes: Iterable<PartChange>): Map<PartKey, string> {
   const parts = new Map<PartKey, string>();
-  for (const list of [base, changes]) {
-    for (const [key, json] of list) {
-      if (json === null) parts.delete(key);
-      else parts.set(key, json);
-    }
-  }
+  changeParts(parts, base);
+  changeParts(parts, changes);
   return parts;
 }
 

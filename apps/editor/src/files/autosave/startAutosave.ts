@@ -34,7 +34,7 @@ export async function startAutosave(
     };
     const found = await look();
     offer(found);
-    // looks again, since a tab that was just closed may still hold its lock
+    // searches again, since a tab that was just closed may still hold its lock
     if (!found)
       void opened.then(look).then(
         (late) => late && offer(late),

@@ -69,7 +69,7 @@ export class LightBaker {
     const { scene } = document;
     if (document.simulation.state !== 'stopped') throw new Error(t('The scene is playing: stop it to bake its light.'));
     const { meshes, lights } = bakeSources(scene);
-    if (meshes.length === 0) throw new Error(t('Nothing is static: switch on Static for what stays where it is.'));
+    if (meshes.length === 0) throw new Error(t('Nothing is static: switch on Static for objects that do not move.'));
     if (lights.length === 0 && !scene.settings.bakeSky)
       notices.show('warning', t('No light is baked: set the mode of lights to Baked.'));
     const abort = new AbortController();

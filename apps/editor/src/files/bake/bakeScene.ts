@@ -69,7 +69,7 @@ export async function bakeScene(
   const sources = bakeSources(scene);
   const { settings } = scene;
   const signature = bakeSignature(scene, sources);
-  // the panel lists instances already, and probes light everything else without a lightmap
+  // not repeated: the panel lists instances already, and probes light everything else without a lightmap
   const onWarning = (sentence: string): void => void (/ gets no lightmap: /.test(sentence) || warned(sentence));
   const shared = { ...traceOptions(scene, sources), signal, onWarning };
   const endSizes = sizeLights(sources);

@@ -3,7 +3,7 @@ interface Pickers {
   showSaveFilePicker?(options: object): Promise<FileSystemFileHandle & { remove?(): Promise<void> }>;
 }
 
-/** A file on the user's disk that is written while a film is made; what was in it stays until the end. */
+/** A file on the user's disk that is written while a film is made; it keeps its former content until `close`. */
 export class FilmFile {
   private constructor(
     private readonly handle: FileSystemFileHandle & { remove?(): Promise<void> },
@@ -13,8 +13,8 @@ export class FilmFile {
   /**
    * Asks the user where to save. Call at the user's click, before anything is awaited.
    * @param type - MIME type
-   * @returns null where the browser writes no files, or not now: the film is then held in memory and downloaded
-   * @throws AbortError when the user chose none
+   * @returns null where the browser writes no files, or refuses to: the film is then held in memory and downloaded
+   * @throws AbortError when the user cancelled
    */
   static async ask(suggestedName: string, description: string, type: string): Promise<FilmFile | null> {
     const { showSaveFilePicker } = window as Pickers;
@@ -25,7 +25,7 @@ export class FilmFile {
       const handle = await showSaveFilePicker.call(window, { id: 'farol-export', suggestedName, types });
       return new FilmFile(handle, await handle.createWritable());
     } catch (error) {
-      // a page in a frame, or a click too long ago
+      // the page is in a frame, or the click was too long ago
       if (error instanceof DOMException && error.name === 'SecurityError') return null;
       throw error;
     }
@@ -35,7 +35,7 @@ export class FilmFile {
     return this.handle.name;
   }
 
-  /** Writes bytes. @param position - from the beginning of the file; after the last ones when absent */
+  /** Writes bytes. @param position - offset from the beginning of the file (bytes); after the last write when absent */
   write(data: Uint8Array<ArrayBuffer>, position?: number): Promise<void> {
     return this.stream.write(position === undefined ? data : { type: 'write', data, position });
   }
@@ -44,7 +44,7 @@ export class FilmFile {
     return this.stream.close();
   }
 
-  /** Leaves the file as it was; one that the picker made is taken away again. */
+  /** Leaves the file as it was; removes an empty one, which the picker created. */
   async abort(): Promise<void> {
     await this.stream.abort().catch(() => {});
     const { size } = await this.handle.getFile().catch(() => ({ size: 1 }));

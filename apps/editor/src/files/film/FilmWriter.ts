@@ -1,12 +1,12 @@
-/** Takes the frames of a film from a canvas, one after the other. */
+/** Adds frames to a film, from a canvas, one after the other. */
 export interface FilmWriter {
   /**
-   * Takes what the canvas holds as the next frame, at once; resolves when there is room for another.
+   * Copies the canvas at once as the next frame; resolves when another one can be added.
    * @throws Error (as a rejection) when the frame cannot be encoded or written
    */
   add(): Promise<void>;
-  /** Ends the film. @returns the film; null when it is in a file */
+  /** Ends the film. @returns the film's bytes; null when they were written to a file */
   end(): Promise<Blob | null>;
-  /** Gives the film up; a file stays as it was. */
+  /** Cancels the film; a file keeps its former content. */
   abort(): Promise<void>;
 }

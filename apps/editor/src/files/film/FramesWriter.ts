@@ -3,12 +3,12 @@ import { Zip, ZipPassThrough } from 'three/addons/libs/fflate.module.js';
 import type { FilmFile } from './FilmFile';
 import type { FilmWriter } from './FilmWriter';
 
-/** Largest ZIP without ZIP64 (bytes), which the writer does not know. @see PKWARE APPNOTE.TXT 4.4 */
+/** Largest ZIP without ZIP64 (bytes), which the writer does not support. @see PKWARE APPNOTE.TXT 4.4 */
 const LARGEST = 2 ** 32 - 1;
 /** Maximum number of files in a ZIP without ZIP64. */
 export const MOST_FRAMES = 65_535;
 
-/** Writes a film as numbered PNGs in a ZIP, `frame-00001.png` on. */
+/** Writes a film as numbered PNGs in a ZIP, `frame-00001.png` and so on. */
 export class FramesWriter implements FilmWriter {
   private readonly zip: Zip;
   private readonly parts: Uint8Array<ArrayBuffer>[] = [];
@@ -39,7 +39,7 @@ export class FramesWriter implements FilmWriter {
     if (this.bytes + png.size > LARGEST)
       throw new Error(t('The film would have more than the 4 GB of a ZIP: choose a smaller size or a shorter film.'));
     const entry = new ZipPassThrough(`frame-${String(++this.frames).padStart(5, '0')}.png`);
-    entry.mtime = new Date(2000, 0, 1); // a fixed date: two exports of one film are equal byte by byte
+    entry.mtime = new Date(2000, 0, 1); // a fixed date, so that two exports of one film are identical
     this.zip.add(entry);
     entry.push(new Uint8Array(await png.arrayBuffer()), true);
     await this.written;

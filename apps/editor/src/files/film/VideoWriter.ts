@@ -16,17 +16,17 @@ import { type FrameRate, timeOf } from './frameRate';
 export interface VideoOptions {
   readonly extension: 'mp4' | 'webm';
   readonly codec: VideoCodec;
-  /** Bits a second. */
+  /** Bits per second. */
   readonly bitrate: number;
   readonly rate: FrameRate;
 }
 
-/** Longest time between frames that can be sought to (s). */
+/** Longest time between key frames, to which players can seek (s). */
 const KEY_FRAMES = 2;
 
 /**
- * Writes a film as MP4 or WebM, by the browser's encoder, with at least one key frame in two seconds, sRGB colours by BT.709. The
- * time of each frame is exact in MP4, to the millisecond in WebM, which knows no finer.
+ * Writes a film as MP4 or WebM, by the browser's encoder, in sRGB colours by BT.709. Frame times are exact in MP4, and
+ * rounded to milliseconds in WebM, as its format demands.
  */
 export class VideoWriter implements FilmWriter {
   private frames = 0;
@@ -41,7 +41,7 @@ export class VideoWriter implements FilmWriter {
   /** @param file - written to while the film is made; null keeps it in memory */
   static async open(canvas: HTMLCanvasElement, options: VideoOptions, file: FilmFile | null): Promise<VideoWriter> {
     const { codec, bitrate, rate } = options;
-    // a stream of its own: the file's would be closed, and so kept, by a film that is given up
+    // a separate stream: the encoder closes its stream when a film is cancelled, which would save the file
     const stream = (to: FilmFile): WritableStream<StreamTargetChunk> =>
       new WritableStream({ write: ({ data, position }) => to.write(data as Uint8Array<ArrayBuffer>, position) });
     const target = file ? new StreamTarget(stream(file), { chunked: true }) : new BufferTarget();

@@ -12,25 +12,25 @@ export interface FilmOptions {
   readonly width: number;
   readonly height: number;
   readonly rate: FrameRate;
-  /** Time of the scene at which the film begins, and before which it ends (s). */
+  /** Scene time of the film's first frame (s), and the time that it ends before (s). */
   readonly from: number;
   readonly to: number;
-  /** Whether the scene plays; else it stands as it is, and only the camera may move. */
+  /** Whether the scene plays; otherwise only the camera moves. */
   readonly plays: boolean;
   readonly shot: ShotName;
-  /** Turns of a turntable; below 0 the other way. */
+  /** Revolutions of a turntable; negative in the opposite direction. */
   readonly turns: number;
-  /** Whether nothing lies behind the objects, in place of the scene's background. */
+  /** Whether the background is transparent, in place of the scene's. */
   readonly isTransparent: boolean;
 }
 
 /** Types of components that are moved by physics. */
 const bodies = ['RigidBody', 'Collider', 'CharacterController', 'Joint'];
 
-/** Longest step of a scene (s): physics leaves out time beyond. */
+/** Longest step of a scene (s): physics does not simulate time beyond it. */
 const LONGEST_STEP = 0.1;
 
-/** Advances a playing scene, when all that moves it is there. */
+/** Advances a playing scene, once all code that moves objects is fetched. */
 async function advance(scene: Scene, seconds: number): Promise<void> {
   const physics = scene.system(PhysicsSystem);
   if (!physics.ready && bodies.some((type) => scene.componentsOf(type).length > 0)) await physics.prepare();
@@ -40,14 +40,14 @@ async function advance(scene: Scene, seconds: number): Promise<void> {
 }
 
 /**
- * Draws a film, frame by frame, however long each takes: between two frames the scene advances by exactly the time that lies
- * between them, from its beginning on. Each frame is a still of its time, as `PictureCanvas.draw` says. The scene is put back
- * afterwards, as by Stop.
- * @param writer - takes the frames
+ * Draws a film, frame by frame, however long each takes: from its beginning the scene advances by exactly the time
+ * between frames. Each frame is drawn as a still, as `PictureCanvas.draw` says. Afterwards the scene is restored, as by
+ * Stop.
+ * @param writer - receives the frames
  * @param told - called before each frame with its index
- * @param signal - ends the work
- * @throws AbortError when `signal` is aborted; errors of `makeShot` and of the writer; Error when code cannot be fetched or the device
- * is lost
+ * @param signal - cancels the film
+ * @throws AbortError when `signal` is aborted; errors of `makeShot` and of the writer; Error when code cannot be
+ *   fetched or the device is lost
  */
 export async function drawFilm(
   editor: EditorApi,
@@ -66,7 +66,7 @@ export async function drawFilm(
   await viewport.picture.ready;
   const shot = makeShot(editor, options.shot, width / height, options.turns);
   const canvas = new PictureCanvas(editor, options.isTransparent);
-  // a playing scene is heard in the time of the clock, which is not the film's
+  // sounds play in real time, but the film's frames take longer
   audioOutput.muted = true;
   const goesOn = (): void => {
     signal.throwIfAborted();

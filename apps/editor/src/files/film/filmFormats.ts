@@ -3,17 +3,17 @@ import { canEncodeVideo, Quality, type VideoCodec } from 'mediabunny';
 
 /** A kind of file that films are saved as. */
 export interface FilmFormat {
-  /** Names of container and codec, not translated but for frames. */
+  /** Label: names of container and codec, the same in all languages except for frames. */
   readonly label: string;
   readonly extension: 'mp4' | 'webm' | 'zip';
   readonly type: string;
   /** Codec of the video; null for pictures. */
   readonly codec: VideoCodec | null;
-  /** Bits a pixel of a frame at good quality (approximate). */
+  /** Bits per pixel and frame at good quality (approximate). */
   readonly bits: number;
 }
 
-/** Kinds of films; those first are preferred where the browser can encode them. */
+/** Formats of films, preferred ones first, where the browser can encode them. */
 export const filmFormats = {
   avc: { label: 'MP4 (H.264)', extension: 'mp4', type: 'video/mp4', codec: 'avc', bits: 0.15 },
   vp9: { label: 'WebM (VP9)', extension: 'webm', type: 'video/webm', codec: 'vp9', bits: 0.1 },
@@ -24,15 +24,15 @@ export const filmFormats = {
 
 export type FilmFormatName = keyof typeof filmFormats;
 
-/** Video of a film, as far as encoders ask for it. */
+/** Properties of a video that an encoder is asked about. */
 export interface VideoSize {
   readonly width: number;
   readonly height: number;
-  /** Bits a second. */
+  /** Bits per second. */
   readonly bitrate: number;
 }
 
-/** Why this browser cannot make such a film, in a sentence with the mend; null where it can. */
+/** Reason and remedy, as a sentence, when this browser cannot make such a film; null when it can. */
 export async function filmProblem(name: FilmFormatName, { width, height, bitrate }: VideoSize): Promise<string | null> {
   const { codec, label } = filmFormats[name];
   if (codec === null) return null;
@@ -48,7 +48,7 @@ export async function filmProblem(name: FilmFormatName, { width, height, bitrate
   });
 }
 
-/** The first format that this browser encodes; PNG frames where it encodes none. */
+/** The first format that this browser encodes; PNG frames when it encodes none. */
 export async function bestFormat(size: VideoSize): Promise<FilmFormatName> {
   for (const name of Object.keys(filmFormats) as FilmFormatName[])
     if ((await filmProblem(name, size)) === null) return name;

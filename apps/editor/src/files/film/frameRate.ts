@@ -1,15 +1,15 @@
-/** Frames a second as a fraction of whole numbers, so that the time of no frame drifts. */
+/** Frames per second as a fraction of whole numbers, so that frame times do not drift. */
 export interface FrameRate {
   readonly frames: number;
   readonly seconds: number;
 }
 
-/** Greatest number of frames a second. */
+/** Highest number of frames per second. */
 export const FASTEST = 240;
-/** Smallest number of frames a second. */
+/** Lowest number of frames per second. */
 export const SLOWEST = 0.1;
 
-/** Rates of cinema and television: those of NTSC are 1000/1001 of whole ones. @see SMPTE ST 12-1 */
+/** Rates of cinema and television: those of NTSC are whole numbers times 1000/1001. @see SMPTE ST 12-1 */
 export const knownRates: Readonly<Record<string, FrameRate>> = {
   '23.976': { frames: 24_000, seconds: 1001 },
   '24': { frames: 24, seconds: 1 },
@@ -21,7 +21,7 @@ export const knownRates: Readonly<Record<string, FrameRate>> = {
   '60': { frames: 60, seconds: 1 },
 };
 
-/** The rate of a number: one of `knownRates` where it is that, to 3 decimals else. */
+/** The frame rate for a number: an exact one of `knownRates`, or else the number rounded to 3 decimals. */
 export const rateOf = (value: number): FrameRate =>
   knownRates[String(value)] ?? { frames: Math.round(value * 1000), seconds: 1000 };
 
@@ -29,8 +29,8 @@ export const rateOf = (value: number): FrameRate =>
 export const timeOf = (frame: number, { frames, seconds }: FrameRate): number => (frame * seconds) / frames;
 
 /**
- * The frames of a film that lasts from one time to another (s): the first is the nearest to `from`, and the last begins
- * before `to`. One at least.
+ * The frames of a film between two times (s): the first is the nearest to `from`, and the last begins before `to`. At
+ * least one.
  */
 export function framesBetween(
   from: number,
@@ -38,7 +38,7 @@ export function framesBetween(
   { frames, seconds }: FrameRate,
 ): { first: number; count: number } {
   const first = Math.round((from * frames) / seconds);
-  // a thousandth of a frame is none
+  // tolerance: a remainder under a thousandth of a frame adds no frame
   const count = Math.ceil(((to - from) * frames) / seconds - 1e-3);
   return { first, count: Math.max(1, count) };
 }

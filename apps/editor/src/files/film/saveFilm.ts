@@ -37,8 +37,9 @@ function leftText(seconds: number): string {
 }
 
 /**
- * Makes a film and saves it, with a progress dialog that can cancel it. Call at the user's click, before anything is awaited.
- * @param bitrate - bits a second of video
+ * Makes a film and saves it, with a progress dialog that can cancel it. Call at the user's click, before anything is
+ * awaited.
+ * @param bitrate - bit/s of video
  * @throws AbortError when cancelled; errors of `drawFilm` and of writing the file
  */
 export async function saveFilm(

@@ -37,7 +37,7 @@ it('a path comes through the kept views in their order, one camera throughout', 
   expect((shot(0.3).eye as PerspectiveCamera).aspect).toBe(2);
   scene.views.set(9, null);
   scene.views.set(8, null);
-  expect(() => makeShot(editor, 'path', 2, 1)).toThrow('A path needs two kept views');
+  expect(() => makeShot(editor, 'path', 2, 1)).toThrow('A path needs two stored views');
 });
 
 it('a turntable goes around at one height, as far away, and ends where it began', () => {

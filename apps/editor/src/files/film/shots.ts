@@ -5,7 +5,7 @@ import type { EditorApi } from '../../api/EditorApi';
 import { boundsOf } from '../../viewport/boundsOf';
 import { copyEye, type Eye, shownEye } from '../picture/PictureCanvas';
 
-/** Ways to look at a film's frames, besides through one camera of the scene, which is named by its component's id. */
+/** Viewpoints of films besides the scene's cameras, each of which is named by the id of its component. */
 export const shotKinds = ['shown', 'active', 'path', 'turntable'] as const;
 
 /** Viewpoint of a film: one of `shotKinds`, or the id of a Camera. */
@@ -14,17 +14,17 @@ export type ShotName = string;
 /** The camera of a frame of a film. */
 interface FramedEye {
   readonly eye: Eye;
-  /** Camera whose own settings count; null for the editor's. */
+  /** Camera whose own settings apply; null for the editor's camera. */
   readonly component: CameraComponent | null;
 }
 
-/** Gives the camera of a frame. @param share - of the film that has passed, from 0 to below 1 */
+/** Returns the camera of a frame. @param share - position in the film, from 0 to below 1 */
 export type Shot = (share: number) => FramedEye;
 
-/** Kept views of a scene, in the order of their places. */
+/** Stored views of a scene, by ascending number. */
 export const keptViews = (scene: Scene): SceneView[] => scene.views.entries.map(([, view]) => view);
 
-/** Moves smoothly through the kept views, as long from each to the next; orthographic where all of them are. */
+/** Moves smoothly through the stored views, with equal time between them; orthographic when all of them are. */
 function pathShot(views: readonly SceneView[], aspect: number): Shot {
   const curve = (points: readonly (readonly number[])[]): CatmullRomCurve3 =>
     new CatmullRomCurve3(points.map(([x, y, z]) => new Vector3(x, y, z)));
@@ -53,7 +53,7 @@ function pathShot(views: readonly SceneView[], aspect: number): Shot {
   };
 }
 
-/** Turns the present view about the upright axis through the middle of what is selected, or of the whole scene. */
+/** Turns the current view about the vertical axis through the centre of the selection, or else of the scene. */
 function turntableShot(editor: EditorApi, aspect: number, turns: number): Shot {
   const { selectedObjects, scene } = editor.document;
   const { camera, component } = shownEye(editor);
@@ -62,7 +62,7 @@ function turntableShot(editor: EditorApi, aspect: number, turns: number): Shot {
   const { center } = sphere;
   const start = copyEye(camera, aspect);
   const arm = start.getWorldPosition(new Vector3()).sub(center);
-  // straight above there is no side to see
+  // a view from straight above has no horizontal direction to turn
   if (Math.hypot(arm.x, arm.z) < 1e-3 * arm.length() || arm.length() === 0)
     arm.set(arm.x, arm.y, arm.z + sphere.radius + 1);
   const turned = start.clone() as Eye;
@@ -80,16 +80,16 @@ function turntableShot(editor: EditorApi, aspect: number, turns: number): Shot {
 }
 
 /**
- * Viewpoints of a film's frames.
+ * Makes the function that gives each frame's camera.
  * @param aspect - width over height
- * @param turns - of a turntable; below 0 the other way
- * @throws Error when there is no such camera, too few views are kept, or there is nothing to turn around
+ * @param turns - revolutions of a turntable; negative: reversed
+ * @throws Error when there is no such camera, too few views are stored, or there is nothing to turn around
  */
 export function makeShot(editor: EditorApi, name: ShotName, aspect: number, turns: number): Shot {
   const { scene } = editor.document;
   if (name === 'path') {
     const views = keptViews(scene);
-    if (views.length < 2) throw new Error(t('A path needs two kept views: Ctrl with a number keeps one.'));
+    if (views.length < 2) throw new Error(t('A path needs two stored views: Ctrl with a number stores one.'));
     return pathShot(views, aspect);
   }
   if (name === 'turntable') return turntableShot(editor, aspect, turns);
@@ -105,7 +105,7 @@ export function makeShot(editor: EditorApi, name: ShotName, aspect: number, turn
   let component = find();
   if (!component) throw new Error(t('The scene has no such camera any more: choose another one.'));
   return () => {
-    // a camera that a script removes is looked through from its last pose
+    // after a script has removed the camera, its last pose is used
     component = find() ?? component!;
     if (component.isAttached || eye === null) eye = copyEye(component.three, aspect, eye);
     return { eye, component };

@@ -19,7 +19,7 @@ function turnFrom(from: readonly [number, number, number]): [number, number, num
 
 /**
  * Gives the scene a sky. Its first directional light at the top of the tree becomes the sun or moon; where there is
- * none, one is added. Lights that stand for a sky are switched off, since the sky lights the scene.
+ * none, one is added. Ambient and hemisphere lights are switched off, since the sky lights the scene.
  * @param name - in the language that is shown
  * @param selected - ids selected now
  */

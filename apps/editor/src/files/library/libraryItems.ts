@@ -5,18 +5,18 @@ import { libraryTags } from '../../model/library/tags';
 
 /** An item of the library, as its panel shows it. */
 export interface LibraryItem {
-  /** Such as 'street-lamp'; 'material/Cast iron'; 'own/' and 'folder/' of prefabs that are the user's. */
+  /** Such as 'street-lamp' or 'material/Cast iron'; ids of the user's prefabs begin with 'own/' or 'folder/'. */
   readonly id: string;
   /** Name in the language that is shown. */
   readonly label: string;
   readonly group: LibraryGroup | 'material' | 'own' | 'folder';
   /** Words in the language that is shown. */
   readonly tags: readonly string[];
-  /** Address of its picture; null where it has none. */
+  /** URL of the item's picture; null for none. */
   readonly picture: string | null;
 }
 
-/** Items that draw nothing. */
+/** Ids of items that draw nothing. */
 const unseen: ReadonlySet<string> = new Set(['player', 'zone']);
 
 /** File in `public/library` with an item's picture; null for an item that draws nothing. */

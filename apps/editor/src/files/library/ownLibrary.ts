@@ -18,14 +18,14 @@ import { placeInstance } from './placeInstance';
 export interface OwnItem {
   readonly id: string;
   readonly name: string;
-  /** Words by which it is found: the folders in the prefab's name, or the name of its file. */
+  /** Words that a search matches: the folders in the prefab's name, or the name of its file. */
   readonly tags: readonly string[];
   readonly picture: Blob | null;
   /** Id that the prefab has in scenes. */
   readonly prefab: string;
 }
 
-/** An item that the browser keeps: its objects as copied text, with the files that the text names. */
+/** An item stored in the browser: its objects as copied text, with the files that the text refers to. */
 interface KeptItem extends OwnItem {
   readonly text: string;
   readonly files: ReadonlyMap<string, Blob>;
@@ -38,13 +38,13 @@ interface FolderItem extends OwnItem {
 
 const store = keyedStore<KeptItem>('farol-library');
 
-/** Emits when an item is kept or removed, and when a folder is opened. */
+/** Emits when an item is stored or removed, and when a folder is opened. */
 export const libraryChanged = new Signal();
 
-/** Items of the folder opened last; they are gone when the page is left. */
+/** Items of the folder opened last; forgotten when the page is closed. */
 let folderItems: readonly FolderItem[] = [];
 
-/** Items that the user keeps, by name; none where the browser has no storage. */
+/** Items that the user has stored, by name; none when the browser has no storage. */
 export async function keptItems(): Promise<readonly OwnItem[]> {
   const items = await store.all().catch(() => []);
   return items.toSorted((a, b) => a.name.localeCompare(b.name));
@@ -83,7 +83,7 @@ function copyPrefab(scene: Scene, id: string): CopiedObjects {
   }
 }
 
-/** Keeps a prefab of the scene in the user's library, in place of one of that id. @param prefab - its id */
+/** Stores a prefab of the scene in the user's library, replacing one with the same id. @param prefab - its id */
 export async function keepInLibrary(editor: EditorApi, prefab: string): Promise<void> {
   const { scene } = editor.document;
   const copied = copyPrefab(scene, prefab);
@@ -131,7 +131,7 @@ export async function openLibraryFolder(editor: EditorApi, files: readonly File[
   libraryChanged.emit();
 }
 
-/** Ids and names of the prefabs in a scene file's text; none where it is no scene. */
+/** Ids and names of the prefabs in a scene file's text; none when the text is not a scene. */
 function prefabsIn(text: string): { readonly id: string; readonly name: string }[] {
   try {
     const { prefabs } = JSON.parse(text) as { prefabs?: { id: string; name: string }[] };
@@ -157,7 +157,7 @@ async function copyOf(editor: EditorApi, id: string): Promise<{ prefab: string; 
   const inFolder = folderItems.find((each) => each.id === id);
   if (inFolder) return { prefab: inFolder.prefab, copied: await copyFromFile(editor, inFolder) };
   const kept = (await store.all()).find((each) => each.id === id);
-  if (!kept) throw new Error(t('The library does not have it any more.'));
+  if (!kept) throw new Error(t('The library no longer has this item: choose another one.'));
   return { prefab: kept.prefab, copied: kept };
 }
 

@@ -9,20 +9,20 @@ import { land } from '../../viewport/placing/land';
 import { landingView, loadShapes, pointInPicture } from '../landInPicture';
 import type { DropPlace } from '../placeAsset';
 
-/** A prefab for a scene, and commands that add what the scene lacks. */
+/** A prefab for a scene, and commands that add what it needs and the scene lacks. */
 export interface Brought {
   readonly prefab: Prefab;
   readonly steps: readonly (() => Command)[];
 }
 
 interface InstanceSteps {
-  /** Called when what the prefab draws is loaded. */
+  /** Called when the meshes of the prefab are loaded. */
   bring(): Brought;
   /** Commands after the instance was added. */
   follow?(instance: GameObject): readonly (() => Command)[];
 }
 
-/** Places an instance of a prefab, as one step; at the top of the tree where the prefab cannot be below the parent. */
+/** Places an instance of a prefab, as one step; at the top of the tree when the prefab must not be below the parent. */
 export async function placeInstance(
   editor: EditorApi,
   sampled: Prefab,
@@ -40,7 +40,7 @@ export async function placeInstance(
   const { parent = scene } = place;
   const container = canPlacePrefab(scene, prefab, parent) ? parent : scene;
   if (container === scene) {
-    // first, since it activates the view under the point
+    // first, since it activates the view under the pointer
     const point = pointInPicture(editor, place.at);
     land(landingView(editor), [instance], point);
   }

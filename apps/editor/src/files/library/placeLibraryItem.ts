@@ -21,7 +21,7 @@ import type { DropPlace } from '../placeAsset';
 import { giveSky } from './giveSky';
 import { type Brought, placeInstance } from './placeInstance';
 
-/** Objects of a prefab with assets and types of components named as in a scene. */
+/** Objects of a prefab that refer to assets and types of components by their names in a scene. */
 function namedObjects(scene: Scene, prefab: Prefab, brought: BroughtAssets): Prefab['objects'] {
   return renamedObjects(scene, prefab.objects, brought, {}).map((object) => ({
     ...object,
@@ -33,7 +33,7 @@ function namedObjects(scene: Scene, prefab: Prefab, brought: BroughtAssets): Pre
   }));
 }
 
-/** Prefab of an item for a scene, with the commands that bring it, its materials and scripts, where the scene lacks them. */
+/** Prefab of an item for a scene, with the commands that add the prefab, materials and scripts that the scene lacks. */
 export function bringItem(scene: Scene, { prefab, assets }: BuiltItem): Brought {
   const known = scene.prefabs.get(prefab.id);
   if (known) return { prefab: known, steps: [] };
@@ -44,7 +44,7 @@ export function bringItem(scene: Scene, { prefab, assets }: BuiltItem): Brought 
   return { prefab: named, steps: brought.taken.length > 0 ? [add, set] : [set] };
 }
 
-/** Whether the surface below an object has a collider, on its own object or on one above it. */
+/** Whether the surface below an object has a collider, on its object or on an ancestor. */
 function isCarried(scene: Scene, { transform }: GameObject, camera: Camera): boolean {
   const [x, y, z] = transform.position;
   const ray = new Ray(new Vector3(x, y + 0.5, z), new Vector3(0, -1, 0));
@@ -54,7 +54,7 @@ function isCarried(scene: Scene, { transform }: GameObject, camera: Camera): boo
   return false;
 }
 
-/** Commands after a player was added: its eyes are the scene's camera, and a ground carries it where nothing does. */
+/** Commands after a player was added: its camera becomes the scene's; it gets a ground when none is below. */
 function stepsOfPlayer(scene: Scene, player: GameObject, camera: Camera): (() => Command)[] {
   const steps: (() => Command)[] = [];
   if (!isCarried(scene, player, camera)) {
@@ -71,14 +71,14 @@ function stepsOfPlayer(scene: Scene, player: GameObject, camera: Camera): (() =>
   return [...steps, eyes];
 }
 
-/** Whether an object shines, or something below it. */
+/** Whether an object or a descendant has a light. */
 function shines(object: GameObject): boolean {
   let found = false;
   object.traverse((each) => void (found ||= each.getComponent(Light) !== null));
   return found;
 }
 
-/** Gives a material to the object that it is dropped on, else to the selected ones. */
+/** Assigns a material to the object that it is dropped on, or else to the selected ones. */
 function giveLibraryMaterial({ document, commands }: EditorApi, name: LibraryMaterial, { target }: DropPlace): void {
   const { scene, selectedObjects } = document;
   const objects = target === undefined ? selectedObjects : target === null ? [] : [target];
@@ -96,7 +96,7 @@ function giveLibraryMaterial({ document, commands }: EditorApi, name: LibraryMat
 
 /**
  * Places an instance of a library's item, as one step; the scene gets its prefab, materials and scripts with the first
- * one. Selected lamps flicker in place of a new one; skies and materials are given to what is there.
+ * one. 'flicker' makes selected lamps flicker; a sky is given to the scene, a material to objects.
  * @param id - such as 'street-lamp' or 'material/Brass'
  */
 export async function placeLibraryItem(editor: EditorApi, id: string, place: DropPlace = {}): Promise<void> {
@@ -115,12 +115,11 @@ export async function placeLibraryItem(editor: EditorApi, id: string, place: Dro
     return commands.run(giveSky(scene, t(libraryNames.sky[sky]), skies[sky], selection.ids));
   }
   const item = buildLibraryItem(id);
-  if (!item) throw new Error(t('The library does not have it any more.'));
+  if (!item) throw new Error(t('The library no longer has this item: choose another one.'));
   let steps: readonly (() => Command)[] = [];
   await placeInstance(editor, item.prefab, place, {
     bring: () => bringItem(scene, item),
     follow: (instance) => (steps = id === 'player' ? stepsOfPlayer(scene, instance, editor.viewport.rayCamera) : []),
   });
-  if (steps.length > 1)
-    editor.notices.show('info', t('A ground was added, since there was nothing that carries the player.'));
+  if (steps.length > 1) editor.notices.show('info', t('A ground was added, since the player had nothing to stand on.'));
 }

@@ -14,29 +14,29 @@ import {
   splitHead,
 } from './liveParts';
 
-/** Smallest time between two messages of previews while a gesture is open (ms). */
+/** Shortest time between two messages while a gesture is open (ms). */
 const PREVIEW = 50;
 
-/** Longest time that a frame reads parts of the scene (ms). */
+/** Longest time in a frame for reading parts of the scene (ms). */
 const SLICE = 4;
 
-/** Letters of parts in a message of everything, about. */
+/** Approximate size of a message when the whole scene is sent (characters). */
 const CHUNK = 500_000;
 
 /** Delay before a lost connection is tried again (ms). */
 const RETRY = 2000;
 
-/** Key in sessionStorage of this tab's secret: a reload keeps the address that phones have open. */
+/** Key in sessionStorage of this tab's secret; with it the address that phones have open survives a reload. */
 const KEY = 'farol-phone-key';
 
 const isHead = (key: PartKey): boolean => key.startsWith('h/') || key.startsWith('a/');
 
 /**
- * Shows the scene, and each edit as it is made, on pages of other devices, by way of the dev server. Nothing is read or sent
- * while nobody looks.
+ * Shows the scene, and each edit, on pages of other devices, through the dev server. Nothing is read or sent while no
+ * page is connected.
  */
 export class LiveShare {
-  /** Emits when the addresses or the number of pages that look change. */
+  /** Emits when the addresses or the number of viewing pages change. */
   readonly changed = new Signal();
   /** Addresses that show the scene, one for each network of this machine; null until known, empty without `--host`. */
   addresses: readonly string[] | null = null;
@@ -45,9 +45,9 @@ export class LiveShare {
   private id = '';
   private count = 0;
   private delta: SceneDelta | null = null;
-  /** JSON of each part of the scene as last sent to the pages that show it. */
+  /** JSON of each part of the scene as last sent to the viewing pages. */
   private readonly sent = new Map<PartKey, string>();
-  /** Numbers of pages that wait for everything; null stands for all. */
+  /** Numbers of viewing pages that wait for the whole scene; null stands for all of them. */
   private waiting = new Set<number | null>();
   private readonly hashes = new WeakMap<Blob, string>();
   private readonly uploaded = new Set<string>();
@@ -70,7 +70,7 @@ export class LiveShare {
     void this.connect();
   }
 
-  /** Number of pages that look. */
+  /** Number of viewing pages. */
   get looks(): number {
     return this.count;
   }
@@ -108,7 +108,7 @@ export class LiveShare {
       if (socket !== this.socket) return;
       this.rest();
       this.setLooks(0);
-      // another page took the tab's secret over, as a duplicate of the tab does
+      // another page uses the tab's secret, as a duplicate of the tab does
       if (code === 4000) sessionStorage.removeItem(KEY);
       setTimeout(() => void this.connect(), RETRY);
     });
@@ -118,7 +118,7 @@ export class LiveShare {
     this.count = looks;
     if (looks === 0) this.rest();
     const { phones } = this.editor;
-    // a share that nobody was told of may end while the dialog renders, where React forbids to update the status bar
+    // sharing may end unnoticed while the dialog renders, when React forbids updates of the status bar
     if (phones.text !== text) {
       phones.text = text;
       phones.changed.emit();
@@ -126,7 +126,7 @@ export class LiveShare {
     this.changed.emit();
   }
 
-  /** Forgets what was read: nobody looks. */
+  /** Forgets what was read, when no page is connected. */
   private rest(): void {
     this.delta = null;
     this.sent.clear();
@@ -150,7 +150,7 @@ export class LiveShare {
     this.schedule();
   }
 
-  /** Tells pages that look to begin anew when the scene begins to play; not after a pause. */
+  /** Tells viewing pages to restart the scene when it begins to play; not when it continues after a pause. */
   private tellPlay(): void {
     const { state } = this.editor.document.simulation;
     if (state === 'playing' && !this.hasBegun && this.count > 0) this.post({ kind: 'play' });
@@ -160,7 +160,7 @@ export class LiveShare {
   private schedule(): void {
     if (this.isDue) return;
     this.isDue = true;
-    // a hidden page has no frames
+    // a hidden page gets no animation frames
     if (document.hidden) setTimeout(() => this.frame(), PREVIEW);
     else requestAnimationFrame(() => this.frame());
   }
@@ -180,7 +180,7 @@ export class LiveShare {
     if (!isWhole) this.schedule();
   }
 
-  /** @param isWhole - whether no other part waits to be read */
+  /** Sends changed parts. @param isWhole - whether no part is left to be read */
   private async send(delta: SceneDelta, read: readonly PartChange[], isWhole: boolean): Promise<void> {
     const head = read.find(([key]) => key === HEAD)?.[1];
     const hashes = head ? await this.upload((JSON.parse(head) as { assets: FileAsset[] }).assets) : null;
@@ -249,7 +249,7 @@ export class LiveShare {
   }
 }
 
-/** Number of pages that look, as text. */
+/** Number of viewing pages, as text. */
 export const looksText = (looks: number): string =>
   looks === 0 ? t('nobody looks') : tCount(looks, '{count} looks', '{count} look');
 
@@ -258,7 +258,7 @@ async function sha256(blob: Blob): Promise<string> {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** Addresses of the page that looks, from the dev server; none where the editor was built, or started without `--host`. */
+/** Addresses of the viewing page, from the dev server; none in a built editor, or without `--host`. */
 async function phonePages(): Promise<readonly string[]> {
   try {
     const { phone } = (await (await fetch('./apps.json')).json()) as { phone?: readonly string[] };
@@ -270,7 +270,7 @@ async function phonePages(): Promise<readonly string[]> {
 
 const shares = new WeakMap<EditorApi, LiveShare>();
 
-/** Begins to share an editor's scene, unless it is shared. The server may have been started anew, with `--host`. */
+/** Shares an editor's scene. Asks the server anew, which may have been restarted with `--host`. */
 export function shareOf(editor: EditorApi): LiveShare {
   const before = shares.get(editor);
   if (before && before.addresses?.length !== 0) return before;

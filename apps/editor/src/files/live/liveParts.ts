@@ -2,17 +2,17 @@ import type { FarolFile, FileAsset } from '@farol/engine/files';
 import { assembleParts, type FileHead, HEAD, type PartChange, type PartKey } from '../autosave/parts';
 
 /**
- * Messages to pages that look at a scene. Its parts are those of the autosave, with the head in pieces: 'h/KEY' (a member of
- * the head), 'a/NAME' (an asset), and 'scripts' (whether they run). Everything is one 'whole', any number of 'parts', and an
- * 'end'; parts after that are edits.
+ * Messages to viewing pages. The parts of a scene are those of the autosave, with the head in pieces: 'h/KEY' (a member
+ * of the head), 'a/NAME' (an asset), and 'scripts' (whether they run). A whole scene is sent as one 'whole', any number
+ * of 'parts', and an 'end'; parts after that are edits.
  */
 export type LiveMessage =
   | { readonly kind: 'whole' | 'end'; readonly to?: number }
-  // the editor begins to play: the scene begins anew
+  // the editor begins to play: viewing pages restart the scene
   | { readonly kind: 'play'; readonly to?: undefined }
   | { readonly kind: 'parts'; readonly to?: number; readonly parts: readonly PartChange[] };
 
-/** Messages of the dev server, to either side; `number` is of the page that waits for everything. */
+/** Messages from the dev server; `number` is that of the viewing page that waits for the whole scene. */
 export type RelayMessage =
   | { readonly kind: 'hello'; readonly id: string; readonly looks: number }
   | { readonly kind: 'looks'; readonly looks: number }

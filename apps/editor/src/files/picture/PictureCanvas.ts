@@ -5,15 +5,15 @@ import { OrthographicCamera, PerspectiveCamera } from 'three';
 import type { EditorApi } from '../../api/EditorApi';
 import { nextTask } from './nextTask';
 
-/** Maximum number of redraws of a picture that is ready but asks for another frame, as a plugin's effect may for ever. */
+/** Maximum number of redraws for a picture that always requests another frame, as a plugin's effect may. */
 const ATTEMPTS = 4;
 
 /** A three camera that pictures are drawn with. */
 export type Eye = PerspectiveCamera | OrthographicCamera;
 
 /**
- * Copies a camera, which then sees as high as it does in a picture of another shape.
- * @param eye - receives the copy when it is of the same kind; one camera in all frames is one to effects
+ * Copies a camera for a picture of another aspect ratio, keeping the vertical field of view.
+ * @param eye - receives the copy when it is of the same type, so that effects see one camera in all frames
  */
 export function copyEye(camera: Eye, aspect: number, eye: Eye | null = null): Eye {
   camera.updateWorldMatrix(true, false);
@@ -45,15 +45,15 @@ export function shownEye({ viewport }: EditorApi): {
 }
 
 /**
- * The viewport's canvas, lent to pictures of the scene without the editor's marks, of any size; the viewport rests until it is
- * given back.
+ * The viewport's canvas, used for pictures of the scene without the editor's marks, of any size; the viewport does not
+ * draw until `giveBack`.
  */
 export class PictureCanvas {
   private readonly before;
   private width = 1;
   private height = 1;
 
-  /** @param isTransparent - whether nothing lies behind the objects, in place of the scene's background */
+  /** @param isTransparent - whether the background is transparent, in place of the scene's */
   constructor(
     private readonly editor: EditorApi,
     private readonly isTransparent = false,
@@ -67,21 +67,21 @@ export class PictureCanvas {
     canvas.style.objectFit = 'contain';
   }
 
-  /** Sets the size of the pictures to come (pixels). */
+  /** Sets the size of the following pictures (pixels). */
   setSize(width: number, height: number): void {
     this.width = width;
     this.height = height;
   }
 
-  /** Keeps to the technique that drew last, so that no picture of a series is another one's. */
+  /** Fixes the technique to the one that drew last, so that all pictures of a series use the same. */
   keepTechnique(): void {
     const { farol } = this.editor.viewport;
     farol.technique = farol.info.technique as TechniqueName;
   }
 
   /**
-   * Draws the scene as it stands. Effects that gather frames over time forget those before and get as many as a still takes,
-   * so that a picture depends on the scene alone, not on what was drawn before. The canvas holds it until the task ends.
+   * Draws the current scene. Effects that accumulate frames begin anew and get as many as a still needs, so that a
+   * picture does not depend on earlier ones. The canvas keeps the picture until the task ends.
    * @throws Error when the device is lost
    */
   draw(eye: Eye, component: CameraComponent | null): void {
@@ -93,13 +93,14 @@ export class PictureCanvas {
     for (let drawn = 0; drawn < Math.max(1, picture.effects.frames); drawn++) this.drawOnce(eye, component);
     if (webgl.getContext().isContextLost())
       throw new Error(t('The graphics device was lost while the picture was drawn: save it again.'));
-    // a technique may have been found that asks for other effects
+    // the renderer may have chosen a technique that needs other effects
     picture.effects.update(scene.settings);
   }
 
   /**
-   * Draws as `draw` does, once all files, code and programs of the picture are there. The canvas holds it until the task ends.
-   * @param signal - ends the wait
+   * Draws as `draw` does, once all files, code and programs are loaded. The canvas keeps the picture until the task
+   * ends.
+   * @param signal - cancels the wait
    * @throws AbortError when `signal` is aborted; Error when code cannot be fetched, or the device is lost
    */
   async drawComplete(eye: Eye, component: CameraComponent | null, signal: AbortSignal): Promise<void> {
@@ -130,12 +131,12 @@ export class PictureCanvas {
     viewport.invalidate();
   }
 
-  /** Draws whatever frames `PictureRenderer.ready` asks for, until it is. */
+  /** Draws the frames that the picture requests, until `PictureRenderer.ready` is fulfilled. */
   private async settle(eye: Eye, component: CameraComponent | null, signal: AbortSignal): Promise<void> {
     const { loop, picture } = this.editor.viewport;
     const wait = { isOver: false };
     const ready = picture.ready.finally(() => (wait.isOver = true));
-    ready.catch(() => {}); // told by the last line, unless the work is ended before
+    ready.catch(() => {}); // `await` below reports the error, unless the wait is cancelled before
     while (!wait.isOver) {
       signal.throwIfAborted();
       if (loop.pending > 0) {
@@ -152,7 +153,7 @@ export class PictureCanvas {
     const { viewport, document } = this.editor;
     const { webgl, canvas, picture, farol } = viewport;
     if (canvas.width !== this.width || canvas.height !== this.height) {
-      // also after the window was resized meanwhile
+      // the window may have been resized since `setSize`
       webgl.setPixelRatio(1);
       webgl.setSize(this.width, this.height, false);
     }

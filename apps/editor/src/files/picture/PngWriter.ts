@@ -21,7 +21,7 @@ function chunk(type: string, data: Uint8Array): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** Writes a PNG of 8 bits RGBA, sRGB, row by row, however large: a canvas ends at 16,384 pixels. */
+/** Writes a PNG of 8 bits RGBA, sRGB, row by row, of any size; a canvas is limited to 16,384 pixels. */
 export class PngWriter {
   private readonly parts: Uint8Array<ArrayBuffer>[];
   private readonly deflate = new CompressionStream('deflate');
@@ -41,7 +41,7 @@ export class PngWriter {
     const view = new DataView(header.buffer);
     view.setUint32(0, width);
     view.setUint32(4, height);
-    header.set([8, 6], 8); // 8 bits a channel; colour with alpha
+    header.set([8, 6], 8); // 8 bits per channel; RGB with alpha
     const signature = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
     this.parts = [signature, chunk('IHDR', header), chunk('sRGB', Uint8Array.of(0))];
     this.done = this.collect();
@@ -51,7 +51,7 @@ export class PngWriter {
   async write(pixels: Uint8Array): Promise<void> {
     const size = 4 * this.width;
     const rows = pixels.length / size;
-    const filtered = new Uint8Array(rows * (size + 1)); // each row after its filter, 0: none
+    const filtered = new Uint8Array(rows * (size + 1)); // each row begins with its filter type, 0: none
     for (let row = 0; row < rows; row++)
       filtered.set(pixels.subarray(row * size, (row + 1) * size), row * (size + 1) + 1);
     this.rows += rows;

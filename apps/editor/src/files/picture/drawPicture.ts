@@ -8,11 +8,11 @@ export interface PictureOptions {
   /** Pixels, 1 to 32,768. */
   readonly width: number;
   readonly height: number;
-  /** Whether nothing lies behind the objects, in place of the scene's background. */
+  /** Whether the background is transparent, in place of the scene's. */
   readonly isTransparent: boolean;
 }
 
-/** Copies the rows of a tile, which WebGL gives from the bottom up, colour multiplied by alpha, into a strip. */
+/** Copies a tile into a strip: turns its rows, which WebGL returns from the bottom up, and divides colour by alpha. */
 function place(pixels: Uint8Array, { x, width, height }: Tile, strip: Uint8Array, stride: number): void {
   for (let row = 0; row < height; row++) {
     const from = 4 * width * (height - 1 - row);
@@ -29,7 +29,7 @@ function place(pixels: Uint8Array, { x, width, height }: Tile, strip: Uint8Array
 /**
  * The scene as the viewport's camera sees it, without the editor's marks, as a PNG of any size, drawn tile by tile.
  *
- * @param signal - ends the work
+ * @param signal - cancels the picture
  * @throws AbortError when `signal` is aborted; Error when the device is lost
  */
 export async function drawPicture(

@@ -1,4 +1,4 @@
-/** Lets the page answer to its user; not held back in a hidden tab, as timers and frames are. */
+/** Yields to the page's other tasks; unlike timers and frames, not throttled in a hidden tab. */
 export const nextTask = (): Promise<void> =>
   new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

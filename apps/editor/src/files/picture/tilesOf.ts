@@ -1,4 +1,4 @@
-/** Part of a picture (pixels from its left and top): what is drawn at once, and what of that is kept. */
+/** Part of a picture (pixels from its left and top): the area drawn at once, and the area of that which is kept. */
 export interface Tile {
   readonly x: number;
   readonly y: number;
@@ -7,11 +7,11 @@ export interface Tile {
   readonly drawn: { readonly x: number; readonly y: number; readonly width: number; readonly height: number };
 }
 
-/** Largest side of a picture that is drawn in one piece (pixels): a G-buffer of it takes about half a gigabyte. */
+/** Largest side of a picture that is drawn in one piece (pixels): its G-buffer takes about half a gigabyte. */
 export const WHOLE = 4096;
-/** Side of what is kept of a tile (pixels). */
+/** Side of a tile's kept area (pixels). */
 const SIDE = 2048;
-/** Pixels that are drawn around a tile, for effects that look at neighbours: smoothed edges, occlusion. */
+/** Pixels drawn around a tile, for effects that read neighbours: anti-aliasing, ambient occlusion. */
 const MARGIN = 64;
 
 /** Tiles of a picture, in strips from the top down, each from the left. */

@@ -39,7 +39,7 @@ async function write(editor: EditorApi, file: RecentFile): Promise<void> {
 }
 
 /**
- * Remembers the open file with the picture in it, or else a thumbnail of its scene. Failures of storage are ignored.
+ * Adds the open file to the recent ones, with its own picture, or else a thumbnail. Failures of storage are ignored.
  * @param content - the file's bytes
  * @param isDrawn - whether the viewport shows the complete scene; else the thumbnail is taken a little later
  */

@@ -3,14 +3,14 @@ import type { Scene, ScenePicture } from '@farol/engine';
 import type { EditorApi } from '../../api/EditorApi';
 import { smallPicture } from './smallPicture';
 
-/** The picture that a scene has in its file; null for none. */
+/** The picture stored with a scene; null for none. */
 export function storedPicture({ picture }: Scene): Blob | null {
   if (!picture) return null;
   const [head, bytes] = picture.url.slice('data:'.length).split(';base64,');
   return new Blob([Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0))], { type: head });
 }
 
-/** A picture of the present view; null when none can be made. */
+/** Draws a picture of the current view; null when none can be made. */
 async function makePicture(editor: EditorApi): Promise<ScenePicture | null> {
   const blob = await smallPicture(editor);
   if (!blob) return null;
@@ -19,8 +19,8 @@ async function makePicture(editor: EditorApi): Promise<ScenePicture | null> {
 }
 
 /**
- * Gives the scene a picture before it is saved: of the view as shown, unless the user chose one or the scene plays. None to
- * `.json` files, which are read and compared by people.
+ * Gives the scene a picture before it is saved: of the view as shown, unless the user chose one or the scene plays. Not
+ * in `.json` files, which people read and compare.
  */
 export async function keepPicture(editor: EditorApi, fileName: string): Promise<void> {
   const { scene, simulation } = editor.document;
@@ -30,7 +30,7 @@ export async function keepPicture(editor: EditorApi, fileName: string): Promise<
   if (picture && editor.document.scene === scene) scene.picture = picture;
 }
 
-/** Makes the present view the picture that the scene keeps, as a step of the history. @throws Error when none can be made */
+/** Stores a picture of the current view with the scene, as a step of history. @throws Error when none can be made */
 export async function choosePicture(editor: EditorApi): Promise<void> {
   const { commands, document, notices } = editor;
   const { scene } = document;

@@ -29,7 +29,8 @@ async function needsDecoders(files: Iterable<Blob>, scene: Scene): Promise<boole
 async function fileBeside(name: string): Promise<Response> {
   const address = new URL(name, document.baseURI);
   const response = await fetch(address);
-  if (!response.ok) throw new Error(`The player could not be read: ${address.href} answered ${response.status}.`);
+  if (!response.ok)
+    throw new Error(`The player could not be read: ${address.href} answered ${response.status}. Reload the page.`);
   return response;
 }
 

@@ -30,7 +30,7 @@ export async function linkHash(scene: Scene, options?: ShareOptions): Promise<st
       }),
     );
   };
-  // far over the limit: images and models hardly compress, so this is not tried
+  // not compressed when far over the limit, since images and models hardly shrink
   if (bytes > LINK_LIMIT * 4) refuse((bytes * 4) / 3);
   const hash = await encodeLink(JSON.stringify(await inlineAssets(content)));
   return hash.length > LINK_LIMIT ? refuse(hash.length) : hash;

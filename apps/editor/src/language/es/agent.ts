@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Spanish texts of what agents do, and of the bar and dialog that allow them. */
+/** Spanish texts of agents' edits, and of the bar and dialog that allow agents. */
 export const agent: Texts = {
   'An agent may edit': 'Un agente puede editar',
   'none is connected yet': 'aún no hay ninguno conectado',
@@ -12,7 +12,7 @@ export const agent: Texts = {
   'Let an agent edit': 'Dejar que un agente edite',
   'A program on this computer that speaks the Model Context Protocol may then read this scene and its messages, see its picture, edit it and run the commands of the menus. Each of its calls is one step that you can undo.':
     'Un programa de este equipo que hable el Model Context Protocol podrá leer la escena y sus mensajes, ver su imagen, editarla y ejecutar las órdenes de los menús. Cada una de sus llamadas es un paso que se puede deshacer.',
-  'A bar shows as long as it may. It ends by the button in the bar, and when this tab is closed or reloaded.':
+  'A bar is shown while agents may edit. Its button ends that, as does closing or reloading this tab.':
     'Una barra lo indica mientras dure. Termina con el botón de la barra y al cerrar o recargar esta pestaña.',
   'Setting of the MCP client': 'Ajuste del cliente MCP',
   Setting: 'Ajuste',

@@ -57,11 +57,12 @@ export const arrange: Texts = {
   'Ranges differ by': 'Variación de alcance',
   Where: 'Dónde',
   'In a group': 'En un grupo',
-  'Click what they shall be scattered over.': 'Clic en aquello sobre lo que se reparten.',
-  '{count} of {wanted} fit: the others would be closer.': 'Caben {count} de {wanted}: las demás estarían más cerca.',
+  'Click the object to scatter the copies over.': 'Clic en aquello sobre lo que se reparten.',
+  '{count} of {wanted} fit: more would be too close together.':
+    'Caben {count} de {wanted}: las demás estarían más cerca.',
   '{count} in all': '{count} en total',
   'Measure distance': 'Medir distancia',
-  'Click two points. Vertices near the pointer are taken.':
+  'Click two points. They snap to vertices near the pointer.':
     'Clic en dos puntos. Se toman los vértices cercanos al puntero.',
   'Duplicate along…': 'Duplicar a lo largo de…',
   'Drop to ground': 'Dejar en el suelo',

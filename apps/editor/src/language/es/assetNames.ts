@@ -1,4 +1,4 @@
-/** Spanish of names of built-in textures and light profiles. */
+/** Spanish names of built-in textures and light profiles. */
 export const assetNames = {
   Checker: 'Ajedrez',
   Marble: 'Mármol',

@@ -17,7 +17,7 @@ export const bake: Texts = {
   'Made moving:': 'Hacer móvil:',
   'Make static': 'Hacer estático',
   'Make moving': 'Hacer móvil',
-  'There are {count} objects below that are otherwise. Shall they change too?':
+  '{count} objects below are different. Shall they change too?':
     'Debajo hay {count} objetos que están de otro modo. ¿Cambiarlos también?',
   'Change all': 'Cambiar todos',
   'Only the selected': 'Solo los seleccionados',
@@ -26,7 +26,7 @@ export const bake: Texts = {
   'Cleared the baked light': 'Quitar la luz precalculada',
   'The scene is playing: stop it to bake its light.':
     'La escena está en marcha: hay que detenerla para precalcular su luz.',
-  'Nothing is static: switch on Static for what stays where it is.':
+  'Nothing is static: switch on Static for objects that do not move.':
     'Nada es estático: hay que activar Estático en lo que no se mueve.',
   'No light is baked: set the mode of lights to Baked.':
     'Ninguna luz se precalcula: hay que poner luces en modo Precalculada.',
@@ -43,7 +43,7 @@ export const bake: Texts = {
   'Make {count} objects static': 'Hacer estáticos {count} objetos',
   'Set {count} light to Baked': 'Poner {count} luz en Precalculada',
   'Set {count} lights to Baked': 'Poner {count} luces en Precalculada',
-  'Instanced objects have no lightmap: probes light them. They are {count}.':
+  '{count} instanced objects have no lightmap: probes light them.':
     'Los objetos instanciados no tienen mapa de luz: los iluminan las sondas. Son {count}.',
   Bake: 'Precalcular',
   'Unfolding surfaces': 'Desplegando superficies',

@@ -4,7 +4,6 @@ export const buildings: Readonly<Record<string, string>> = {
   Wall: 'Pared',
   'A wall with a door or a window: the shape that the Object Renderer draws.':
     'Una pared con una puerta o una ventana: la forma que dibuja Dibujo de objeto.',
-  Length: 'Longitud',
   'How long the wall is.': 'Longitud de la pared.',
   'How high the wall is.': 'Altura de la pared.',
   'How thick the wall is.': 'Grosor de la pared.',

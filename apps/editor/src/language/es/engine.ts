@@ -4,9 +4,10 @@ import type { MessageTable } from '../messageTable';
 export const engine: MessageTable = {
   // assets
   "The asset '{name}' could not be loaded: {reason}": "No se pudo cargar el recurso '{name}': {reason}",
-  "The asset '{name}' is unknown: it is gone already.": "El recurso '{name}' ya no existe.",
-  "The asset '{name}' came with Farol, and keeps its name.":
-    "El recurso '{name}' viene con Farol y conserva su nombre.",
+  "The asset '{name}' is not in the library any more: choose another one.":
+    "El recurso '{name}' ya no existe: hay que elegir otro.",
+  "The asset '{name}' came with Farol, and keeps its name: choose one of your own.":
+    "El recurso '{name}' viene con Farol y conserva su nombre: hay que elegir uno propio.",
   "The asset '{name}' is there already: choose another name.":
     "El recurso '{name}' ya existe: hay que elegir otro nombre.",
   "The asset '{name}' is unknown: register it first, or choose one of {names}":
@@ -17,7 +18,7 @@ export const engine: MessageTable = {
     "El recurso '{name}' no se descargó: {origin} no está permitido. Hay que abrir la escena de nuevo y permitirlo.",
   "The prefab '{name}' would hold itself, by its object '{object}': take that one out, or unpack it.":
     "El prefab '{name}' se contendría a sí mismo, por su objeto '{object}': hay que sacarlo, o desempaquetarlo.",
-  // faults of files
+  // errors of files
   'the file is empty: choose it again.': 'el archivo está vacío: hay que elegirlo de nuevo.',
   'its bytes are not PNG, JPEG or WebP: was another file renamed?':
     'sus bytes no son PNG, JPEG ni WebP: ¿se cambió el nombre de otro archivo?',
@@ -39,7 +40,8 @@ export const engine: MessageTable = {
     "no es un glTF, le falta la entrada 'asset': hay que elegir otro archivo.",
   'it is glTF {version}, and only glTF 2.x can be read: convert it.':
     'es glTF {version}, y solo se puede leer glTF 2.x: hay que convertirlo.',
-  'its JSON cannot be read: {reason}': 'su JSON no se puede leer: {reason}',
+  'its JSON cannot be read ({reason}): export it again.':
+    'su JSON no se puede leer ({reason}): hay que exportarlo de nuevo.',
   'it needs {files}: drop the whole folder, or all of its files together.':
     'necesita {files}: hay que soltar la carpeta entera, o todos sus archivos juntos.',
   'it needs {file}: choose both files together.': 'necesita {file}: hay que elegir los dos archivos juntos.',
@@ -60,6 +62,7 @@ export const engine: MessageTable = {
   'Export it again from where it was made.': 'Hay que exportarlo de nuevo desde donde se hizo.',
   // addresses
   '{address} cannot be reached': 'no se llega a {address}',
+  'check the address.': 'hay que revisar la dirección.',
   // scenes
   'The file is not JSON: {reason}. Choose a scene that was saved by Farol.':
     'El archivo no es JSON: {reason}. Hay que elegir una escena guardada por Farol.',

@@ -8,7 +8,8 @@ export const library: Texts = {
   Tag: 'Etiqueta',
   Tags: 'Etiquetas',
   'Any tag': 'Toda etiqueta',
-  'The library does not have it any more.': 'La biblioteca ya no lo tiene.',
+  'The library no longer has this item: choose another one.':
+    'La biblioteca ya no tiene este elemento: hay que elegir otro.',
   '{name}: drag it into the picture, or click to add it': '{name}: se arrastra a la imagen, o se añade con un clic',
   'Search the library': 'Buscar en la biblioteca',
   'Kind of item': 'Tipo de elemento',
@@ -104,16 +105,10 @@ export const library: Texts = {
   'Daylight glow': 'Brillo de día',
   'Red glow': 'Brillo rojo',
   'Blue glow': 'Brillo azul',
-  Wood: 'Madera',
   Bark: 'Corteza',
-  Plaster: 'Yeso',
-  Brick: 'Ladrillo',
-  Stone: 'Piedra',
-  Marble: 'Mármol',
   Asphalt: 'Asfalto',
   'Wet asphalt': 'Asfalto mojado',
   Paving: 'Pavimento',
-  Grass: 'Hierba',
   'Red cloth': 'Tela roja',
   Rubber: 'Goma',
   Ice: 'Hielo',
@@ -127,7 +122,7 @@ export const library: Texts = {
   Eyes: 'Ojos',
   Guard: 'Vigilante',
   Way: 'Camino',
-  'A ground was added, since there was nothing that carries the player.':
+  'A ground was added, since the player had nothing to stand on.':
     'Se ha añadido un suelo, porque no había nada que sostuviera al jugador.',
   'A script of the library.': 'Un script de la biblioteca.',
   'Empty script': 'Script vacío',
@@ -137,15 +132,15 @@ export const library: Texts = {
   'Words by which scripts and triggers know the object, with commas between them.':
     'Palabras por las que scripts y disparadores conocen el objeto, separadas por comas.',
   Problem: 'Problema',
-  'It has no collider: nothing can come into it or touch it.':
+  'The object has no collider: nothing can enter or touch it.':
     'No tiene colisionador: nada puede entrar en él ni tocarlo.',
   'Add a sensor': 'Añadir un sensor',
   'Add a collider': 'Añadir un colisionador',
   'Make it a sensor': 'Hacerlo sensor',
   'Make it solid': 'Hacerlo sólido',
-  'Its collider is no sensor: things stop at it, and do not come in.':
+  'The collider is no sensor: objects stop at it, and do not enter.':
     'Su colisionador no es un sensor: las cosas se detienen en él y no entran.',
-  'Its collider is a sensor: things go through it, and do not collide.':
+  'The collider is a sensor: objects pass it, and do not collide.':
     'Su colisionador es un sensor: las cosas lo atraviesan y no chocan.',
   'Nothing in the scene moves by physics: add a player, or a body.':
     'Nada en la escena se mueve por física: añade un jugador o un cuerpo.',
@@ -154,9 +149,9 @@ export const library: Texts = {
   'Cleared the tag of a trigger': 'Borrar la etiqueta de un disparador',
   'Give it to {name}': 'Dársela a {name}',
   'Any object may': 'Vale cualquier objeto',
-  'The object that it calls is gone.': 'El objeto al que llama ya no existe.',
+  'The object that the trigger calls no longer exists.': 'El objeto al que llama ya no existe.',
   'Call this object': 'Llamar a este objeto',
-  'It calls nothing yet.': 'Todavía no llama a nada.',
+  'The trigger calls no method yet.': 'El disparador aún no llama a ningún método.',
   '{name} has no {method}.': '{name} no tiene {method}.',
   'Call {method}': 'Llamar a {method}',
   Skies: 'Cielos',

@@ -36,7 +36,7 @@ export const messages: Texts = {
   'Save over it': 'Guardar encima',
   ' and {count} more': ' y {count} más',
   '{name} asks for files of other hosts': '{name} pide archivos de otros servidores',
-  'They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:':
+  'The hosts would learn that you open it, and when. Without them the rest of the scene opens. It loads:':
     'Sabrían que se abre, y cuándo. Sin ellos se abre el resto de la escena. Pide:',
   Hosts: 'Servidores',
   'there is no room left': 'no queda espacio',
@@ -71,7 +71,7 @@ export const messages: Texts = {
   '{file} is not imported, and nothing has changed: {reason}':
     '{file} no se ha importado y no ha cambiado nada: {reason}',
   '{file} replaces microshaders that are there': '{file} reemplaza microshaders que ya existen',
-  'What is drawn with them changes. History takes the import back in one step. It replaces:':
+  'All that uses these microshaders changes; undo takes the import back. It replaces:':
     'Cambia lo que se dibuja con ellos. El historial deshace la importación en un paso. Reemplaza:',
   'of this scene': 'de esta escena',
   'built in, edited': 'incorporado, editado',
@@ -106,7 +106,7 @@ export const messages: Texts = {
   'The plugin {name} is removed': 'Complemento {name} quitado',
   'The plugin {name} is removed: {components} kept as data until the plugin is there again':
     'Complemento {name} quitado: {components} se conservan como datos hasta que vuelva',
-  'The {type} of {name} stays as data: {message}': '{type} de {name} queda como datos: {message}',
+  'The {type} of {name} is kept as data: {message}': '{type} de {name} queda como datos: {message}',
   'Microshaders of {name} stay, since others need them: {names}':
     'Los microshaders de {name} se quedan, porque otros los necesitan: {names}',
   'the plugin': 'el complemento',
@@ -119,8 +119,8 @@ export const messages: Texts = {
   'the microshader': 'el microshader',
   '{name} is not here any more: another tab has recovered or discarded it.':
     '{name} ya no está aquí: otra pestaña la recuperó o la descartó.',
-  '{name} is as it was. Save it to keep it.': '{name} está como estaba. Hay que guardarla para conservarla.',
-  'Drafts are kept again.': 'Se vuelven a guardar borradores.',
+  '{name} is recovered. Save it to keep it.': '{name} está como estaba. Hay que guardarla para conservarla.',
+  'Drafts are stored again.': 'Se vuelven a guardar borradores.',
   'The autosave could not be loaded: reload the page.':
     'No se pudo cargar el guardado automático: hay que recargar la página.',
   '{objects} object': '{objects} objeto',
@@ -128,12 +128,12 @@ export const messages: Texts = {
   'last edit: {edit}': 'última edición: {edit}',
   'it has no room left for this page; free space on the disk.':
     'no le queda espacio para esta página; hay que liberar espacio en el disco.',
-  'it lets this page store nothing, as in some private windows.':
+  'it does not let this page store data, as in some private windows.':
     'no deja que esta página guarde nada, como en algunas ventanas privadas.',
-  'its store is shut, as in some private windows.': 'su almacén está cerrado, como en algunas ventanas privadas.',
-  'its store is that of a newer version of Farol; reload the page.':
+  'its storage is closed, as in some private windows.': 'su almacén está cerrado, como en algunas ventanas privadas.',
+  'its storage is of a newer version of Farol; reload the page.':
     'su almacén es de una versión más nueva de Farol; hay que recargar la página.',
-  'its store is damaged, or the disk is full.': 'su almacén está dañado o el disco está lleno.',
+  'its storage is damaged, or the disk is full.': 'su almacén está dañado o el disco está lleno.',
   'it has no IndexedDB, as in some private windows.': 'no tiene IndexedDB, como en algunas ventanas privadas.',
   'it has no Web Locks, which pages have only over https.':
     'no tiene Web Locks, que las páginas solo tienen por https.',
@@ -187,7 +187,7 @@ export const messages: Texts = {
     '{name} se queda donde está: viene con Farol o es parte de un modelo.',
   '{label} keeps its name: it came with Farol, or is a part of a model.':
     '{label} conserva su nombre: viene con Farol o es parte de un modelo.',
-  'No object uses it.': 'Ningún objeto lo usa.',
+  'No object uses {name}.': 'Ningún objeto usa {name}.',
   'a skeleton': 'un esqueleto',
   'morph targets': 'formas de mezcla',
   'instances of a mesh': 'instancias de una malla',
@@ -195,7 +195,7 @@ export const messages: Texts = {
   '{name} stays one object: it has {what}, which only a whole model keeps.':
     '{name} se queda como un solo objeto: tiene {what}, que solo conserva un modelo entero.',
   'parts of a model': 'partes de un modelo',
-  'There already, with the same content: {names}.': 'Ya está, con el mismo contenido: {names}.',
+  'These exist already, with the same content: {names}.': 'Ya está, con el mismo contenido: {names}.',
   '{objects} stays linked to the model, as one object with its clips: it has {what}.':
     '{objects} sigue enlazado al modelo, como un solo objeto con sus animaciones: tiene {what}.',
   '{objects} stay linked to the model, each as one object with its clips: they have {what}.':

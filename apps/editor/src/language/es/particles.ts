@@ -31,7 +31,6 @@ export const particles: Texts = {
   'Value of the key': 'Valor de la clave',
   'Remove the key': 'Quitar la clave',
   Presets: 'Preajustes',
-  Constant: 'Constante',
   'Linear rise': 'Subida lineal',
   'Linear fade': 'Caída lineal',
   Bell: 'Campana',
@@ -71,7 +70,6 @@ export const particles: Texts = {
   'Particle Emitter': 'Emisor de partículas',
   'Particles such as fire, smoke and sparks, which may light the scene.':
     'Partículas como fuego, humo y chispas, que pueden iluminar la escena.',
-  Emission: 'Emisión',
   'Over life': 'A lo largo de la vida',
   Look: 'Aspecto',
   Emitting: 'Emite',

@@ -1,4 +1,4 @@
-/** Units, lamps and colour temperatures of lights, exposure of cameras. */
+/** Spanish texts of light units, lamps and colour temperatures, and of the exposure of cameras. */
 export const photometry = {
   'Whether the colour is chosen by hand, or is that of a temperature.':
     'Si el color se elige a mano o es el de una temperatura.',
@@ -23,7 +23,6 @@ export const photometry = {
   'Watt (W)': 'Vatio (W)',
   'Show intensity of {name} in {unit}': 'Mostrar intensidad de {name} en {unit}',
   'Made {name} a light like {preset}': '{name} es ahora una luz como {preset}',
-  Candle: 'Vela',
   '40 W bulb': 'Bombilla de 40 W',
   '60 W bulb': 'Bombilla de 60 W',
   '100 W bulb': 'Bombilla de 100 W',

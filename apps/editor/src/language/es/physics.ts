@@ -18,7 +18,6 @@ export const physics: Texts = {
   'Whether its mass is given, or comes from size and density of its colliders.':
     'Si su masa se indica, o resulta del tamaño y la densidad de sus colisionadores.',
   'Mass ## of a body': 'Masa',
-  Density: 'Densidad',
   Mass: 'Masa',
   'Mass of the whole body.': 'Masa de todo el cuerpo.',
   'Gravity factor': 'Factor de gravedad',

@@ -38,7 +38,6 @@ export const picture: Texts = {
     'La niebla toma el color del cielo en el horizonte, o el del fondo.',
   'How light of any brightness becomes colours of a screen; three’s tone mappings.':
     'Cómo la luz de cualquier intensidad pasa a colores de pantalla; los mapeos de tonos de three.',
-  Exposure: 'Exposición',
   'Factor of all light before it is tone mapped.': 'Factor de toda la luz antes del mapeo de tonos.',
   Bloom: 'Resplandor',
   'Bright things glow over their surroundings.': 'Lo brillante resplandece sobre lo que tiene al lado.',
@@ -110,7 +109,7 @@ export const picture: Texts = {
   'frames take longer than the budget at the least scale': 'ni a la escala mínima bastan',
   'frames take less than the budget at the largest scale': 'a la escala máxima sobra tiempo',
   'a larger scale is tried': 'se prueba una escala mayor',
-  'effects of three have its output buffer': 'hay efectos de three en su búfer de salida',
+  "three's effects read its output buffer": 'hay efectos de three en su búfer de salida',
   'the target has several textures': 'el destino tiene varias texturas',
   'the target is part of a cube, an array or mipmaps': 'el destino es parte de un cubo, una serie o mipmaps',
   'the picture is small': 'la imagen es pequeña',
@@ -126,7 +125,6 @@ export const picture: Texts = {
   'Clear day': 'Día despejado',
   Overcast: 'Nublado',
   Sunset: 'Atardecer',
-  Night: 'Noche',
   Studio: 'Estudio',
   Exponential: 'Exponencial',
   'Of the technique': 'De la técnica',
@@ -159,7 +157,7 @@ export const picture: Texts = {
   'The view as shown': 'La vista como se ve',
   'The scene’s camera': 'La cámara de la escena',
   'Also where a script chooses another.': 'También cuando un script elige otra.',
-  'Through the kept views': 'Por las vistas guardadas',
+  'Through the stored views': 'Por las vistas guardadas',
   'A smooth path in their order.': 'Un recorrido suave, en su orden.',
   Turntable: 'Plataforma giratoria',
   'Around the selection, or the scene, from the view as shown.':
@@ -195,7 +193,7 @@ export const picture: Texts = {
     'Este navegador no hace PNG de {width} × {height}: hay que elegir un tamaño menor.',
   'There is nothing to turn around: add an object first.':
     'No hay nada alrededor de lo que girar: hay que añadir antes un objeto.',
-  'A path needs two kept views: Ctrl with a number keeps one.':
+  'A path needs two stored views: Ctrl with a number stores one.':
     'Un recorrido necesita dos vistas guardadas: Ctrl con un número guarda una.',
   'The scene has no such camera any more: choose another one.': 'La escena no tiene esa cámara: se elige otra.',
   'Another scene was opened while the film was made: make it again.':

@@ -1,4 +1,4 @@
-/** The tool that tells of which lights a pixel is made. */
+/** Spanish texts of the tool that lists how much each light adds to a pixel. */
 export const pixelLighting = {
   'Explain a pixel': 'Explicar un píxel',
   'Explain the middle': 'Explicar el centro',
@@ -13,8 +13,8 @@ export const pixelLighting = {
     'La parte que tendría si nada proyectara sombra en esta luz',
   'Estimated share of the lighting time of the picture': 'Parte estimada del tiempo de iluminación de la imagen',
   'No light reaches this pixel.': 'Ninguna luz llega a este píxel.',
-  'Without effects of the whole picture: {names}': 'Sin efectos de la imagen entera: {names}',
-  'The picture changed meanwhile: shares are of several moments.':
+  'Without effects that need the whole picture: {names}': 'Sin efectos de la imagen entera: {names}',
+  'The picture changed meanwhile: the shares are of different times.':
     'La imagen cambió mientras tanto: las partes son de varios momentos.',
   'Microshaders that ran': 'Microshaders que se ejecutaron',
   'Its own material': 'Su propio material',

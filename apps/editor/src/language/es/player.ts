@@ -11,7 +11,7 @@ export const player: Texts = {
     'Esta escena tiene scripts, que son programas de quien hizo el enlace. No llegan a ningún archivo de quien la abre ni a otros servidores, pero pueden tener ocupado el dispositivo.',
   'This page shows a scene with JavaScript and WebGL 2: switch JavaScript on, or, where it is in a frame that allows no scripts, open it by itself.':
     'Esta página muestra una escena con JavaScript y WebGL 2: hay que activar JavaScript o, si está en un marco que no permite scripts, abrirla sola.',
-  'The editor is away; its edits follow when it is back.': 'El editor no está; sus cambios llegarán cuando vuelva.',
+  'The editor is not connected; edits follow once it is.': 'El editor no está; sus cambios llegarán cuando vuelva.',
   'The connection was lost; trying again…': 'Se perdió la conexión, y se intenta de nuevo.',
   'Waiting for the editor…': 'Esperando al editor…',
   Jump: 'Saltar',

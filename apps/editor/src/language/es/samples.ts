@@ -11,7 +11,6 @@ export const samples: Texts = {
   Hard: 'Duras',
   'Soft (PCF)': 'Suaves (PCF)',
   'Variance (VSM)': 'Varianza (VSM)',
-  Softness: 'Suavidad',
   'Factor of the softness of every light’s shadows.': 'Factor de la suavidad de las sombras de todas las luces.',
   'Night in the temple': 'Noche en el templo',
   'Play, then walk up the steps. The door opens when you come near; push the crates.':
@@ -25,7 +24,6 @@ export const samples: Texts = {
     'Reproduce: una bola con cadena derriba un muro. Cambia masas, articulaciones y rebote.',
   'Play, then edit “Wave” in the Scripts panel: it changes while it runs. F stops the fountain.':
     'Reproduce y edita «Wave» en el panel Scripts: cambia mientras funciona. F detiene la fuente.',
-  Prefabs: 'Prefabs',
   'A street of lamps and benches. Change one lamp, then “Apply all to prefab”.':
     'Una calle de farolas y bancos. Cambia una farola y luego «Aplicar todo al prefab».',
   'Light in bands and rings. Edit “lightAttenuation” in the Microshaders panel.':

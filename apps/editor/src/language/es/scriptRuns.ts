@@ -9,7 +9,7 @@ export const scriptRuns: Texts = {
     'Los scripts de esta escena están desactivados, porque viene de otro sitio. Conviene ejecutarlos solo si se confía en ella.',
   'Scripts are off: the page ended while they ran. Correct the one that does not end, then run them.':
     'Los scripts están desactivados: la página se cerró mientras se ejecutaban. Hay que corregir el que no termina y después ejecutarlos.',
-  'Scripts are off, as the address of the page says.':
+  'Scripts are off, by ?scripts=off in the address.':
     'Los scripts están desactivados, como dice la dirección de la página.',
   'Scripts stay off while another page shows the editor inside of it. Open the editor by itself to run them.':
     'Los scripts siguen desactivados mientras otra página muestra el editor dentro de ella. Para ejecutarlos hay que abrir el editor solo.',

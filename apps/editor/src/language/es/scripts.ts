@@ -7,7 +7,7 @@ export const scripts: Texts = {
   'New script': 'Nuevo script',
   'Menu of the script': 'Menú del script',
   '{name}, broken': '{name}, con errores',
-  'Cannot be read yet: the last good text runs': 'Aún no se puede leer: funciona el último texto correcto',
+  'Syntax error: the last valid text runs': 'Aún no se puede leer: funciona el último texto correcto',
   'A script is a component of your own: a class with fields and what it does each frame.':
     'Un script es un componente propio: una clase con campos y lo que hace en cada fotograma.',
   'No completion: {reason}': 'Sin autocompletado: {reason}',

@@ -1,4 +1,4 @@
-/** Sun, moon and sky by date and place. */
+/** Spanish texts of sun, moon and sky by date and place. */
 export const sunAndMoon = {
   'Sun And Moon': 'Sol y luna',
   'Sun and moon': 'Sol y luna',
@@ -21,7 +21,6 @@ export const sunAndMoon = {
     'Horas que los relojes van por delante del tiempo universal, con el horario de verano.',
   North: 'Norte',
   'Turns the compass: at 0 north is towards -Z.': 'Gira la brújula: con 0 el norte está hacia -Z.',
-  Brightness: 'Brillo',
   'As suits a screen without exposure, or in lux as measured, for a camera with exposure.':
     'Como conviene a una pantalla sin exposición, o en lux como se mide, para una cámara con exposición.',
   'For a screen': 'Para una pantalla',

@@ -53,7 +53,6 @@ export const timeline: Texts = {
   'Handed to the method: a number, yes or no, or text; nothing when empty.':
     'Se pasa al método: un número, sí o no, o texto; nada si está vacío.',
   'Time of the event': 'Tiempo del evento',
-  'Time of the key': 'Tiempo de la clave',
   'Timeline tools': 'Herramientas de la línea de tiempo',
   Record: 'Grabar',
   'To the beginning': 'Al principio',

@@ -6,9 +6,7 @@ export const triggers: Texts = {
   'A sound that plays, from where the object is or everywhere.':
     'Un sonido que se reproduce, desde donde está el objeto o en todas partes.',
   'The sound that it plays.': 'El sonido que reproduce.',
-  'Play on start': 'Reproducir al empezar',
   'Whether it plays as soon as the scene plays.': 'Si suena en cuanto se reproduce la escena.',
-  Loop: 'Bucle',
   'Whether it begins anew at its end.': 'Si vuelve a empezar al terminar.',
   Volume: 'Volumen',
   'Loudness; 1 is that of the file.': 'Volumen; 1 es el del archivo.',
@@ -62,7 +60,6 @@ export const triggers: Texts = {
   Call: 'Llamar a',
   'What is called on it: a method of one of its components, or a field that gets the value.':
     'A qué se llama: un método de uno de sus componentes, o un campo que recibe el valor.',
-  With: 'Con',
   'Type of the value that is passed; only methods and fields that take it can be chosen.':
     'Tipo del valor que se pasa; solo se pueden elegir métodos y campos que lo aceptan.',
   'No value': 'Ningún valor',

@@ -5,12 +5,12 @@ export type ArrangementKind = 'line' | 'ring' | 'grid' | 'scatter';
 /** Colours of the copies' lights: the original's, random hues, or the hues in turn. */
 export type LightColours = 'same' | 'random' | 'rainbow';
 
-/** Settings of an arrangement: number and places of copies, and how they vary. The originals are the first of them. */
+/** Settings of an arrangement: number and places of copies, and how they vary. The originals have the first places. */
 export interface Arrangement {
   readonly kind: ArrangementKind;
-  /** Number of objects of a line, ring or surface, originals included; 1 to 20,000. */
+  /** Line, ring or surface: number of objects, originals included; 1 to 20,000. */
   readonly count: number;
-  /** Line: offset from each to the next (m). */
+  /** Line: offset from each object to the next (m). */
   readonly offset: Vector3Tuple;
   /** Ring: its radius (m), and the angle that it covers (rad). */
   readonly radius: number;
@@ -20,13 +20,13 @@ export interface Arrangement {
   /** Grid: number of objects along x, y and z, and the distance between them (m). */
   readonly counts: Vector3Tuple;
   readonly spacing: Vector3Tuple;
-  /** Surface: least distance between two objects (m); 0 for as dense as needed. */
+  /** Surface: smallest distance between two objects (m); 0 for as dense as `count` needs. */
   readonly minimumDistance: number;
   /** Surface: whether only faces that point up are used, if there are any. */
   readonly upwards: boolean;
-  /** Surface: whether objects stand along the normal rather than upright. */
+  /** Surface: whether objects are aligned with the normal rather than upright. */
   readonly aligns: boolean;
-  /** Surface: whether objects are turned at random about their own axis, and by what share sizes vary (0 to 1). */
+  /** Surface: whether objects are rotated at random about their own up axis, and share by which sizes vary (0 to 1). */
   readonly randomTurn: boolean;
   readonly sizeVariation: number;
   /** Line, ring and grid: whether objects are dropped on the surface below them. */
@@ -36,12 +36,12 @@ export interface Arrangement {
   /** Seed of the arrangement's random offsets. */
   readonly seed: number;
   readonly colours: LightColours;
-  /** Whether the lights together are as bright as the original. */
+  /** Whether all lights together are as bright as the original. */
   readonly sharesLight: boolean;
   /** Share by which intensities and ranges of lights vary (0 to 1). */
   readonly intensityVariation: number;
   readonly rangeVariation: number;
-  /** Whether all are children of a new object. */
+  /** Whether all objects become children of a new one. */
   readonly grouped: boolean;
 }
 

@@ -3,7 +3,7 @@ import { type ArrangedPlace, type Arrangement, MOST_COPIES } from './Arrangement
 
 const whole = (count: number): number => Math.min(MOST_COPIES, Math.max(1, Math.round(count)));
 
-/** Each original, followed by its copies. @param origins - world positions of the originals (m) */
+/** Places of each original and its copies, step by step. @param origins - world positions of the originals (m) */
 function linePlaces({ count, offset }: Arrangement, origins: readonly Vector3Tuple[]): ArrangedPlace[] {
   const places: ArrangedPlace[] = [];
   const steps = Math.max(1, Math.floor(whole(count * origins.length) / origins.length));

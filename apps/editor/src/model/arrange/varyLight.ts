@@ -4,7 +4,7 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 import { Color } from 'three';
 import type { Arrangement } from './Arrangement';
 
-/** Spreads the generator's seeds, so that those of neighbours are unrelated. */
+/** Multiplier of the copy's index in seeds, so that neighbouring copies get unrelated random numbers. */
 const STRIDE = 2654435761;
 
 /** Random generator of the `index`th copy: independent of the number of copies. */

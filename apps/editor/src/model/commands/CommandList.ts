@@ -11,7 +11,7 @@ export class CommandList implements Command {
     return this.commands.length === 0;
   }
 
-  /** @throws what a command throws, after undoing those before it */
+  /** Runs all commands. @throws the error of a command, after undoing those before it */
   do(): void {
     let count = 0;
     try {

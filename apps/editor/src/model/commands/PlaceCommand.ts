@@ -2,7 +2,7 @@ import type { CommandSelection } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import { StructuralCommand } from './StructuralCommand';
 
-/** Adds things to the scene, or removes them; undoing one is doing the other. */
+/** Adds things to the scene, or removes them; undo does the opposite. */
 export abstract class PlaceCommand<T> extends StructuralCommand {
   /**
    * @param kind - whether `do` adds or removes
@@ -40,7 +40,7 @@ export abstract class PlaceCommand<T> extends StructuralCommand {
     else this.addAll();
   }
 
-  /** Adds all, or none. @throws what adding one of them throws */
+  /** Adds all things, or none. @throws the error of adding one */
   private addAll(): void {
     let count = 0;
     try {

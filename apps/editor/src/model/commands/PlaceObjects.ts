@@ -1,7 +1,7 @@
 import type { Placement } from './Placement';
 import { PlaceCommand } from './PlaceCommand';
 
-/** Adds GameObjects with everything below them, or removes them. Those that share a parent are in tree order. */
+/** Adds GameObjects with their descendants, or removes them. Siblings are given in tree order. */
 export class PlaceObjects extends PlaceCommand<Placement> {
   protected override add({ object, parent, index }: Placement): void {
     parent.add(object, index);

@@ -4,7 +4,7 @@ import type { FieldOwner } from '@farol/engine/fields';
 import type { Prefab } from '@farol/engine/prefabs';
 import { assetOwners } from '../assetOwners';
 
-/** Renames an asset and its parts, and updates everything that names them. */
+/** Renames an asset and its parts, and updates all references to them. */
 export class RenameAsset implements Command {
   constructor(
     readonly label: string,
@@ -26,8 +26,8 @@ export class RenameAsset implements Command {
   }
 
   /**
-   * Renames the asset and updates everything that names it. @throws AssetError when the name is taken; nothing has
-   * changed then
+   * Renames the asset and updates all references to it. @throws AssetError when the name is taken; nothing has changed
+   * then
    */
   private rename(from: string, to: string): void {
     const { scene } = this;
@@ -48,7 +48,7 @@ function renameIn(owner: FieldOwner, names: ReadonlyMap<string, string>): void {
   }
 }
 
-/** A prefab with renamed assets; null when it names none of them. */
+/** A prefab with renamed assets; null when it refers to none of them. */
 function renamedPrefab(scene: Scene, prefab: Prefab, names: ReadonlyMap<string, string>): Prefab | null {
   let isChanged = false;
   const objects = prefab.objects.map((object) => ({

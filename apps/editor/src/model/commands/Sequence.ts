@@ -7,7 +7,7 @@ export class Sequence implements Command {
   private commands: readonly Command[] | null = null;
 
   /**
-   * @param make - makes the commands; each is called after the command before was done
+   * @param make - creates the commands; each function is called after the command before was done
    * @param selection - ids to select afterwards
    */
   constructor(

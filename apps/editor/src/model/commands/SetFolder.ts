@@ -3,7 +3,7 @@ import type { AssetLibrary } from '@farol/engine';
 
 /** Adds a folder of assets, or removes an empty one. */
 export class SetFolder implements Command {
-  /** Whether the folder existed before the first `do`; null until then. */
+  /** Whether the folder existed before the first `do`; null before that. */
   private wasThere: boolean | null = null;
 
   constructor(

@@ -3,10 +3,10 @@ import type { Scene, SceneView } from '@farol/engine';
 
 /** Stores a view with a scene, or removes it. */
 export class SetView implements Command {
-  /** View before the first `do`; undefined until then. */
+  /** View before the first `do`; undefined before that. */
   private before: SceneView | null | undefined;
 
-  /** @param place - 1 to 9 @param view - null to remove the view */
+  /** @param place - number of the view, 1 to 9 @param view - null to remove the view */
   constructor(
     readonly label: string,
     private readonly scene: Scene,

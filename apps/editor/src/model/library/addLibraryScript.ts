@@ -6,7 +6,7 @@ import { Sequence } from '../commands/Sequence';
 import { addScriptComponent } from '../scriptEdits';
 import { scriptAsset } from './parts';
 
-/** Adds one of the library's scripts to the scene, unless it is there, and its component to objects. */
+/** Adds a component of one of the library's scripts to objects; also the script, when the scene lacks it. */
 export function addLibraryScript(scene: Scene, objects: readonly GameObject[], type: string): Command {
   const asset = scriptAsset(type);
   const { taken, names } = bringAssets(scene, [asset], new Map());

@@ -8,7 +8,7 @@ const roots: Readonly<Record<PrefabGroup, Readonly<Record<string, () => ItemRoot
   ...{ lamp: lamps, prop: props, play },
 };
 
-/** Prefab of one of the library's items, in the language that is shown; null for an id that is none. */
+/** Prefab of one of the library's items, in the user's language; null for an unknown id. */
 export function buildLibraryItem(id: string): BuiltItem | null {
   for (const group of Object.keys(roots) as PrefabGroup[]) {
     const names: Readonly<Record<string, string>> = libraryNames[group];

@@ -55,7 +55,7 @@ const stringPieces = (count: number): Part[] =>
     });
   });
 
-/** Root of each lamp with its light. Those with the tag `ceiling` hang from their origin; of `wall` it touches the wall. */
+/** Root of each lamp. Lamps tagged `ceiling` hang from their origin; lamps tagged `wall` touch the wall there. */
 export const lamps: Readonly<Record<keyof typeof libraryNames.lamp, () => ItemRoot>> = {
   'street-lamp': () => ({
     parts: [

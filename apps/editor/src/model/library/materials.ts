@@ -9,15 +9,15 @@ const shining = (emissive: Vector3Tuple, emissiveIntensity: number): Values => (
   emissive,
   emissiveIntensity,
 });
-/** A texture that is made in code, with its bumps. @param repeat - times over the mesh along U, and along V */
+/** A material with a procedural texture and its normal map. @param repeat - number of repetitions along U */
 const textured = (map: string, repeat = 1, roughness = 0.9, repeatV = repeat): Values => {
-  // values that are defaults would be missing in what an asset stores
+  // defaults are left out, as stored assets leave them out
   const repeated: Values = repeat === 1 ? {} : { mapRepeatX: repeat, normalMapRepeatX: repeat };
   const repeatedV: Values = repeatV === 1 ? {} : { mapRepeatY: repeatV, normalMapRepeatY: repeatV };
   return { colour: [1, 1, 1], map, normalMap: `${map}-normal`, roughness, ...repeated, ...repeatedV };
 };
 
-/** Materials of the library by their English names: values that are no defaults of a material asset. */
+/** Materials of the library by their English names: values that differ from a material asset's defaults. */
 export const libraryMaterials = {
   'Cast iron': { colour: [0.07, 0.073, 0.08], roughness: 0.5, metalness: 0.5 },
   Steel: metal([0.56, 0.57, 0.58], 0.35),

@@ -14,23 +14,23 @@ export interface Place {
   readonly at?: Vector3Tuple;
   /** Euler angles XYZ (rad). */
   readonly turn?: Vector3Tuple;
-  /** Scale; of a mesh its size (m). */
+  /** Scale; for a mesh its size (m). */
   readonly size?: Vector3Tuple;
 }
 
-/** Type of a component with the values that are no defaults; 'part:Hinge' stands for the id of the item's part of that name. */
+/** Type of a component, and values that differ from defaults; 'part:Hinge' stands for the id of the part Hinge. */
 export type PartComponent = readonly [type: string, values: Values];
 
-/** An object of a library's item, with what is below it. */
+/** An object of a library item, with its children. */
 export interface Part extends Place {
-  /** English name. */
+  /** Name of the object, in English. */
   readonly name: string;
   readonly tags?: readonly string[];
   readonly components?: readonly PartComponent[];
   readonly parts?: readonly Part[];
 }
 
-/** An item's uppermost part, which has the item's name. */
+/** Root object of an item, which gets the item's name. */
 export type ItemRoot = Omit<Part, 'name'>;
 
 /** Rotation (rad) that turns the front, -Z, downwards. */
@@ -43,7 +43,7 @@ export const mesh = (name: string, shape: string, material: LibraryMaterial, pla
   components: [['ObjectRenderer', { mesh: shape, ...meshShadows, material, ...values }]],
 });
 
-/** A mesh that shines, and casts no shadow of the light within it. */
+/** An emissive mesh, which casts no shadow of the light inside it. */
 export const glow = (name: string, shape: string, material: LibraryMaterial, place: Place): Part =>
   mesh(name, shape, material, place, { castShadow: false, receiveShadow: false });
 
@@ -65,7 +65,7 @@ export interface BuiltItem {
   readonly assets: readonly FileAsset[];
 }
 
-/** Name that a material of the library has in scenes, in the language that is shown. */
+/** Name that a material of the library has in scenes, in the user's language. */
 export const materialName = (material: LibraryMaterial): string => `${t('Library')}/${t(material)}`;
 
 export const materialAsset = (material: LibraryMaterial): FileAsset => ({
@@ -80,7 +80,7 @@ export const scriptAsset = (type: string): FileAsset => ({
   values: { source: libraryScripts[type] },
 });
 
-/** Values of a component with names and ids as in the scene. @param idOf - id of a part, by its English name */
+/** Values of a component with names and ids of the scene. @param idOf - id of a part, by its English name */
 function namedValues(values: Values, idOf: ReadonlyMap<string, string>): Record<string, FieldValue> {
   const named: Record<string, FieldValue> = { ...values };
   if (typeof values.material === 'string') named.material = materialName(values.material as LibraryMaterial);
@@ -89,7 +89,7 @@ function namedValues(values: Values, idOf: ReadonlyMap<string, string>): Record<
   return named;
 }
 
-/** Prefab of an item, in the language that is shown. @param id - of the item, such as 'street-lamp' @param name - English */
+/** Prefab of an item, in the user's language. @param id - of the item, such as 'street-lamp' @param name - English */
 export function buildItem(id: string, name: string, root: ItemRoot): BuiltItem {
   const list: { readonly part: Part; readonly id: string; readonly parent: string | null }[] = [];
   const idOf = new Map<string, string>();

@@ -1,13 +1,13 @@
 import type { libraryNames } from './names';
 import { glow, type ItemRoot, light, mesh, type Part, type PartComponent, solid } from './parts';
 
-/** A trigger of the player's that calls a method. @param target - name of a part of the item */
+/** An EventTrigger for the player that calls a method. @param target - name of a part of the item */
 const playerTrigger = (event: string, target: string | null, method: string): PartComponent => [
   'EventTrigger',
   { event, otherTag: 'player', ...(target !== null && { target: `part:${target}` }), ...(method && { method }) },
 ];
 
-/** A box that tells what comes in and goes out. @param size - m */
+/** A sensor collider: a box that reports objects that enter and leave. Size in m. */
 const sensor = (width: number, height: number, depth: number): PartComponent => [
   'Collider',
   { fit: false, size: [width, height, depth], offset: [0, height / 2, 0], sensor: true },

@@ -2,11 +2,11 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 import type { libraryNames } from './names';
 import { type ItemRoot, mesh, type Part, solid } from './parts';
 
-/** A ball of leaves. @param at - its middle (m) @param width - m */
+/** A ball of leaves. @param at - centre (m) @param width - diameter (m) */
 const leaves = (at: Vector3Tuple, width: number): Part =>
   mesh('Leaves', 'sphere', 'Leaves', { at, size: [width, width * 0.8, width] });
 
-/** Boards beside each other along an axis. @param step - from board to board (m) */
+/** Boards beside each other along an axis. @param step - offset from each board to the next (m) */
 const boards = (count: number, from: Vector3Tuple, step: Vector3Tuple, size: Vector3Tuple): Part[] =>
   Array.from({ length: count }, (_, i) =>
     mesh('Board', 'box', 'Wood', { at: [from[0] + i * step[0], from[1] + i * step[1], from[2] + i * step[2]], size }),

@@ -7,20 +7,20 @@ type Values = Readonly<Record<string, FieldValue>>;
 export interface LibrarySky {
   /** Fields of the scene's settings. */
   readonly settings: Values;
-  /** Fields of the scene's directional light, and the direction that it comes from; null: it is switched off. */
+  /** Fields of the scene's directional light, and the direction that it comes from; null to switch it off. */
   readonly sun: { readonly from: Vector3Tuple; readonly values: Values } | null;
 }
 
 const kelvin = (degrees: number): Values => ({ colourBy: 'temperature', kelvin: degrees });
 const soft = { castShadow: true, shadowMapSize: 2048 };
 
-/** Directions of the suns and moons are those of the painted skies. */
+/** Unit vector towards a sun or moon, from angles (degrees) that match the painted skies. */
 const direction = (elevation: number, azimuth = -115): Vector3Tuple => {
   const [height, side] = [elevation, azimuth].map((degrees) => (degrees * Math.PI) / 180);
   return [Math.cos(height) * Math.cos(side), Math.sin(height), Math.cos(height) * Math.sin(side)];
 };
 
-/** Settings that all skies share: no fog is left of another one. */
+/** Settings that all skies share, so that none of another sky remain. */
 const plain = { background: 'sky', skyLight: true, volumetricFog: false };
 
 /** Sky settings and light of each sky. */

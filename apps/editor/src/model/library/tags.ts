@@ -1,6 +1,6 @@
 import type { LibraryId } from './names';
 
-/** Words by which items are found and filtered, in English. */
+/** Words by which items are searched and filtered, in English. */
 export const libraryTags = {
   'street-lamp': ['Outdoors', 'Floor'],
   lantern: ['Outdoors', 'Table##furniture', 'Fire'],

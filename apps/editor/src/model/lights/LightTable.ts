@@ -17,19 +17,19 @@ import { colourOf, kindLabel, kindOf, type LightSource, shownNumber } from './li
 /** A column of the table, by which its rows can be sorted. */
 export type LightColumn = 'on' | 'solo' | 'name' | 'kind' | 'colour' | 'intensity' | 'range' | 'shadow' | 'cost';
 
-/** Lights that the table shows: those that pass every part. */
+/** Condition that lights must meet in every part to be shown in the table. */
 export interface LightFilter {
   /** Words that must each be in the name, the kind or the group's name. */
   readonly text: string;
   /** Kind of light, see `kindOf`; null for all. */
   readonly kind: string | null;
-  /** Id of a group's object, '' for lights without one; null for all. */
+  /** Id of a group's object, '' for lights without a group; null for all. */
   readonly group: string | null;
   /** Whether only selected objects are shown. */
   readonly isSelected: boolean;
 }
 
-/** A row: a light, a group with its master, or the heading above the lights of no group. */
+/** A row: a light, a group with its dimmer, or the heading above the lights without a group. */
 export type LightRow =
   | { readonly kind: 'light'; readonly id: string; readonly object: GameObject; readonly source: LightSource }
   | {
@@ -37,7 +37,7 @@ export type LightRow =
       readonly id: string;
       readonly object: GameObject;
       readonly group: LightGroup;
-      /** Number of its lights that pass the filter. */
+      /** Number of the group's lights that pass the filter. */
       readonly count: number;
     }
   | { readonly kind: 'rest'; readonly id: ''; readonly count: number };
@@ -46,7 +46,7 @@ interface Entry {
   readonly source: LightSource;
   readonly row: LightRow;
   readonly name: string;
-  /** Name in lower case, its numbers padded so that texts sort as numbers do. */
+  /** Name in lower case, with numbers padded so that they sort by value. */
   readonly nameKey: string;
   /** Kind of the light and id of its group's object, see `kindOf`. */
   readonly kind: string;
@@ -55,28 +55,28 @@ interface Entry {
   readonly words: string;
 }
 
-/** Parts of the table that are out of date; each takes those after it along. */
+/** Parts of the table that can be out of date; an outdated part makes all later ones outdated. */
 const parts = ['lights', 'order', 'filter', 'no'] as const;
 type Part = (typeof parts)[number];
 
 const isBefore = (a: Part, b: Part): boolean => parts.indexOf(a) < parts.indexOf(b);
 
-/** Fields by which rows are found or grouped; a change of one makes the rows anew. */
+/** Fields that decide which rows there are and in which group; changing one makes the rows anew. */
 const structural = new Set(['group', 'type', 'shine', 'attenuation']);
 
-/** Fields of lights and groups that change no cost. */
+/** Fields of lights and groups that do not affect the cost. */
 const costless = new Set(['intensity', 'lightIntensity', 'diffuse', 'colourBy', 'kelvin', 'dimmer', 'colour']);
 
 const noFilter: LightFilter = { text: '', kind: null, group: null, isSelected: false };
 
 /**
- * The lights of a document as rows: filtered, sorted, in their groups; and those that are shown alone. Rows are made
- * only when they are read after something changed, and stand still while a value is being dragged.
+ * The lights of a document as rows: filtered, sorted, in their groups; and the lights that are shown alone. Rows are
+ * made when they are read after a change; their order is frozen while a value is being dragged.
  */
 export class LightTable {
-  /** Emits when rows or what they show may have changed, once for all changes of a task. */
+  /** Emits when rows or their values may have changed, once for all changes of a task. */
   readonly changed = new Signal();
-  /** Emits with `changed` when rows may have come, gone or moved, or others are shown alone. */
+  /** Emits with `changed` when rows may have been added, removed or moved, or the lights shown alone changed. */
   readonly arranged = new Signal();
   /** Number of times that the rows were made. */
   evaluations = 0;
@@ -84,14 +84,14 @@ export class LightTable {
   sort: { readonly column: LightColumn; readonly isDescending: boolean } = { column: 'name', isDescending: false };
 
   private entries: Entry[] = [];
-  /** `entries` in their order. */
+  /** The entries, sorted. */
   private ordered: readonly Entry[] = [];
   private made: readonly LightRow[] = [];
   private members: ReadonlyMap<string, readonly LightSource[]> = new Map();
   private filter = noFilter;
   private readonly folded = new Set<string>();
   private solo: ReadonlySet<string> = new Set();
-  /** First part that is out of date. */
+  /** First outdated part. */
   private stale: Part = 'lights';
   /** Signals to be emitted at the end of the task. */
   private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
@@ -105,7 +105,7 @@ export class LightTable {
 
   constructor(private readonly document: EditorDocument) {}
 
-  /** Follows the document. @returns a function that ends that, and shows all lights again */
+  /** Subscribes to the document. @returns a function that unsubscribes, and shows all lights again */
   connect(): () => void {
     const { document } = this;
     const { commands, selection, simulation } = document;
@@ -128,7 +128,7 @@ export class LightTable {
     };
   }
 
-  /** Rows in their order; one array until something changes. */
+  /** Rows in display order; the same array until something changes. */
   get rows(): readonly LightRow[] {
     if (this.stale === 'no' || (this.stale !== 'lights' && this.commands.isGestureOpen)) return this.made;
     if (this.stale === 'lights') this.entries = this.collect();
@@ -156,7 +156,7 @@ export class LightTable {
     return sortByKey(this.scene.componentsOf(LightGroup), nameKeyOf, nameKeyOf, false);
   }
 
-  /** Whether rows stand below groups. */
+  /** Whether lights are shown below their groups. */
   get isGrouped(): boolean {
     return this.scene.componentsOf(LightGroup).length > 0;
   }
@@ -170,7 +170,7 @@ export class LightTable {
     this.tell('filter');
   }
 
-  /** Sorts by a column; the other way round when it is sorted by it already. */
+  /** Sorts by a column; reverses the order when it is sorted by that column already. */
   sortBy(column: LightColumn): void {
     this.sort = { column, isDescending: this.sort.column === column && !this.sort.isDescending };
     this.tell('order');
@@ -186,7 +186,7 @@ export class LightTable {
     this.tell('filter');
   }
 
-  /** Share of the lighting time that a light takes, or those of a group that pass the filter, 0 to 1, as last measured. */
+  /** Share of the lighting time, 0 to 1, of a light, or of a group's lights that pass the filter, as last estimated. */
   costOf({ kind, id }: LightRow): number {
     return kind === 'light' ? (this.costs.get(id) ?? 0) : this.groupCost(id);
   }
@@ -201,7 +201,7 @@ export class LightTable {
     return cost;
   }
 
-  /** Goes on estimating the costs for a view, a thousand lights a call; begins anew when it or the scene has changed. */
+  /** Estimates the costs for a view, a thousand lights per call; begins anew when the view or scene has changed. */
   measure(view: CostView): void {
     const { camera, width, height } = view;
     if (!this.estimate) {
@@ -232,12 +232,12 @@ export class LightTable {
     return this.solo.size > 0;
   }
 
-  /** Whether lights are shown alone, all of them. */
+  /** Whether all of these lights are among those shown alone. */
   areSolo(sources: readonly LightSource[]): boolean {
     return sources.length > 0 && sources.every(({ id }) => this.solo.has(id));
   }
 
-  /** Adds lights to those that are shown alone (solo), or takes them out. A preview: neither an edit nor saved. */
+  /** Adds lights to those that are shown alone (solo), or removes them. A preview: neither an edit nor saved. */
   setSolo(sources: readonly LightSource[], isSolo: boolean): void {
     const next = new Set(this.solo);
     for (const { id } of sources) {
@@ -252,7 +252,7 @@ export class LightTable {
     if (this.hasSolo) this.showAlone(new Set());
   }
 
-  /** Components that an edit of a row changes: those of all selected rows of its kind when it is selected, else its own. */
+  /** Components that an edit of a row changes: all selected ones of its kind when the row is selected, else its own. */
   editedBy<T extends LightSource | LightGroup>(edited: T): readonly T[] {
     const { selection } = this.document;
     if (!selection.has(edited.gameObject.id)) return [edited];
@@ -305,7 +305,7 @@ export class LightTable {
   private tell(part: Part): void {
     if (isBefore(part, this.stale)) this.stale = part;
     const isFirst = this.toTell === 'nothing';
-    // rows stand still while a value is dragged
+    // rows are not sorted again while a value is being dragged
     const isRows = part === 'lights' || (part !== 'no' && !this.commands.isGestureOpen);
     if (isFirst || isRows) this.toTell = isRows ? 'rows' : 'values';
     if (isFirst) queueMicrotask(() => this.emit());

@@ -2,16 +2,16 @@ import { Light } from '@farol/engine';
 import { type Camera, type Matrix4, Vector3 } from 'three';
 import { lightCount, type LightSource } from './lightSource';
 
-/** Width of a tile of the light lists (pixels), see `LightGrid` of the renderer. */
+/** Width of a tile of the light lists (pixels), as in the renderer's `LightGrid`. */
 const TILE = 32;
 
 /**
- * Cost of one pixel of a light by its type, in those of a point light. Shapes: measured with 1,000 lights,
+ * Cost per pixel of each type of light, relative to a point light. Shapes: measured with 1,000 lights,
  * packages/renderer/docs/performance.md. Ambient and hemisphere lights are one sum for all.
  */
 const weights: Readonly<Record<string, number>> = { ambient: 0, hemisphere: 0, rectangle: 4, disc: 6.4, tube: 3.7 };
 
-/** Factor for the look-ups of a shadow map: an estimate. */
+/** Cost factor of a light with a shadow map (an estimate). */
 const SHADOW = 2;
 
 /** Picture that costs are estimated for. */
@@ -22,7 +22,7 @@ export interface CostView {
   readonly height: number;
 }
 
-/** Tiles along one side of the picture between two normalised device coordinates. */
+/** Number of tiles between two normalised device coordinates, along one side of the picture. */
 function tilesAlong(low: number, high: number, tiles: number): number {
   const from = Math.floor(((Math.max(low, -1) + 1) / 2) * tiles);
   const to = Math.ceil(((Math.min(high, 1) + 1) / 2) * tiles);
@@ -49,7 +49,7 @@ function tilesOfAxis(
   return tilesAlong(from * scale + shift, to * scale + shift, tiles);
 }
 
-/** Number of tiles of the picture in the rectangle round a sphere. @param centre - view space (m) */
+/** Number of tiles in the bounding rectangle of a sphere. @param centre - view space (m) */
 export function tilesOfSphere(
   { x, y, z }: Vector3,
   radius: number,
@@ -70,7 +70,7 @@ export function tilesOfSphere(
 const centre = new Vector3();
 const axis = new Vector3();
 
-/** Puts the middle of a light's bounds in the world into `centre`. @returns their radius (m); Infinity without a range */
+/** Writes the centre of a light's bounds (world) to `centre`. @returns their radius (m); Infinity without a range */
 function boundsOf(source: LightSource): number {
   const { matrixWorld } = source.gameObject.object3D;
   centre.setFromMatrixPosition(matrixWorld);
@@ -78,7 +78,7 @@ function boundsOf(source: LightSource): number {
   const { reach } = source;
   if (source.isArea) return reach + Math.hypot(source.width, source.height) / 2;
   if (source.type !== 'spot' || reach === Infinity) return reach;
-  // the smallest sphere round the cone
+  // smallest sphere around the cone of a spot light
   const { cutoff } = source;
   const isWide = cutoff > Math.PI / 4;
   const along = isWide ? reach * Math.cos(cutoff) : reach / (2 * Math.cos(cutoff));
@@ -86,12 +86,12 @@ function boundsOf(source: LightSource): number {
   return isWide ? reach * Math.sin(cutoff) : along;
 }
 
-/** Maximum number of lights estimated in one task, so that no frame waits. */
+/** Maximum number of lights estimated in one task, so that frames are not delayed. */
 const SLICE = 1000;
 
 /**
- * Estimates the cost of each light for the GPU, as shares of all: entries of the light in the lists of tiles, times the cost
- * of its kind, twice that where it casts shadows. Ignores what hides a light's bounds.
+ * Estimates the cost of each light for the GPU, as a share of the total: number of tiles that its bounds cover, times
+ * the cost of its type, times `SHADOW` when it casts shadows. Ignores occlusion.
  */
 export class CostEstimate {
   private readonly costs: Float64Array;
@@ -100,7 +100,7 @@ export class CostEstimate {
   private total = 0;
   private done = 0;
 
-  /** @param sources - the lights; those that are off cost nothing */
+  /** @param sources - the lights; a light that is off costs nothing */
   constructor(
     private readonly sources: readonly LightSource[],
     private readonly view: CostView,
@@ -110,7 +110,7 @@ export class CostEstimate {
     this.projection = [...view.camera.projectionMatrix.elements];
   }
 
-  /** Estimates the next thousand lights. @returns shares by the order of the lights, 0 to 1; null until all are done */
+  /** Estimates the next thousand lights. @returns shares in the order of the lights, 0 to 1; null until all are done */
   next(): Float64Array | null {
     const { sources, costs, view } = this;
     const [across, down] = [Math.ceil(view.width / TILE), Math.ceil(view.height / TILE)];

@@ -11,7 +11,7 @@ const putInto = (lights: readonly LightSource[], group: GameObject | null, label
     lights.map((owner) => ({ owner, name: 'group', value: group?.id ?? null })),
   );
 
-/** Makes a light group of lights, at the top of the tree, and selects it. @param selected - ids selected now */
+/** Groups lights under a new LightGroup, at the top of the tree, and selects it. @param selected - ids selected now */
 export function makeLightGroup(scene: Scene, lights: readonly LightSource[], selected: readonly string[]): Command {
   const object = new GameObject(new UniqueNames(scene).take(t('Light group')));
   object.addComponent(LightGroup);
@@ -26,7 +26,7 @@ export function makeLightGroup(scene: Scene, lights: readonly LightSource[], sel
   );
 }
 
-/** Puts lights into a group; out of theirs when null. */
+/** Moves lights to a group, or out of their groups when null. */
 export function moveToLightGroup(lights: readonly LightSource[], group: GameObject | null): Command {
   const objects = lights.map(({ gameObject }) => gameObject);
   const label = countLabel(group ? t('Put into a light group:') : t('Took out of their light group:'), objects);

@@ -2,11 +2,11 @@ import type { LightGroup } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import type { LightColumn } from './LightTable';
 
-/** A name in lower case, its numbers padded so that texts sort as numbers do. */
+/** A name in lower case, with numbers padded so that they sort by value. */
 export const keyOfName = (name: string): string =>
   name.toLowerCase().replaceAll(/\d+/g, (digits) => digits.padStart(9, '0'));
 
-/** Hue of a linear colour (0 to 6), greys before all. */
+/** Hue of a linear colour, 0 to 6; -1 for grey. */
 export function hueOf([r, g, b]: Vector3Tuple): number {
   const most = Math.max(r, g, b);
   const span = most - Math.min(r, g, b);
@@ -15,7 +15,7 @@ export function hueOf([r, g, b]: Vector3Tuple): number {
   return most === g ? (b - r) / span + 2 : (r - g) / span + 4;
 }
 
-/** Key of a group in a column; 0 where groups show nothing, which then stand by name. @param cost - of its lights */
+/** Sort key of a group in a column; 0 when groups have no value there. @param cost - cost of its lights */
 export function keyOfGroup(group: LightGroup, column: LightColumn, cost: () => number): number | string {
   if (column === 'name') return keyOfName(group.gameObject.name);
   if (column === 'on') return Number(!group.isActive);
@@ -24,7 +24,7 @@ export function keyOfGroup(group: LightGroup, column: LightColumn, cost: () => n
   return column === 'cost' ? -cost() : 0;
 }
 
-/** Items by their keys, the other way round when descending; those of one key by name. */
+/** Sorts items by key, reversed when descending; items with equal keys by name. */
 export function sortByKey<Item>(
   items: readonly Item[],
   keyOf: (item: Item) => number | string,

@@ -9,13 +9,13 @@ export type LightSource = Light | ParticleEmitter;
 /** Kind of a light as rows name it: the type of a Light, or 'particles'. */
 export const kindOf = (source: LightSource): string => (source instanceof Light ? source.type : 'particles');
 
-/** A kind in the language that is shown. */
+/** Name of a kind, in the user's language. */
 export const kindLabel = (kind: string): string => (kind === 'particles' ? t('particles') : t(kind));
 
 const isShown = (source: LightSource, name: string): boolean =>
   isFieldVisible(source.fields, name, (other) => source.getAuthored(other));
 
-/** Name of the field of a light that a column edits; null where the light has none. */
+/** Name of the light's field that each column edits; null when the light has no such field. */
 export const columnFields = {
   intensity: (source: LightSource) => (source instanceof Light ? 'intensity' : 'lightIntensity'),
   range: (source: LightSource) => {
@@ -40,7 +40,7 @@ export interface ShownNumber {
   fromShown(shown: number): number;
 }
 
-/** A light's intensity or range in the unit that the light is given in; null where it has none. */
+/** A light's intensity or range in its own unit; null when it has none. */
 export function shownNumber(source: LightSource, column: 'intensity' | 'range'): ShownNumber | null {
   const name = columnFields[column](source);
   if (name === null) return null;
@@ -52,10 +52,10 @@ export function shownNumber(source: LightSource, column: 'intensity' | 'range'):
   return { ...shown, value: toShown(source.getAuthored(name) as number) };
 }
 
-/** Linear colour of a light, that of its temperature included; null of particles, which have colours of their own. */
+/** Linear colour of a light, including its temperature; null for particles, which have colours of their own. */
 export const colourOf = (source: LightSource): Vector3Tuple | null => (source instanceof Light ? source.colour : null);
 
-/** Colour temperature of a light, such as '2,700 K'; '' for a light whose colour is chosen by hand. */
+/** Colour temperature of a light, such as '2,700 K'; '' for a light with a chosen colour. */
 export const temperatureText = (source: LightSource): string =>
   source instanceof Light && source.colourBy === 'temperature' ? t('{count} K', { count: source.kelvin }) : '';
 

@@ -10,7 +10,7 @@ import waves from './waves.surface?raw';
 
 /** A built-in surface: its text, and values of the material made for it. */
 export interface BuiltinSurface {
-  /** '' for a surface built from the thesis's chunks by `thesisSurface`. */
+  /** Text of the surface; '' for a surface built from the thesis's chunks by `thesisSurface`. */
   readonly source: string;
   readonly material: Readonly<Record<string, FieldValue>>;
   /** Whether the surface moves vertices, so that a plane (four vertices) is replaced by a grid. */

@@ -1,7 +1,7 @@
 import type { ClipData } from '@farol/engine';
 import { keptSelection, type KeySelection } from './editKeys';
 
-/** Number of texts of clips whose selections are remembered, so that undo restores the selection. */
+/** Number of clip states whose selections are remembered, so that undo restores the selection. */
 const REMEMBERED = 200;
 
 /** Selected keys, or indices of selected events. */
@@ -12,14 +12,14 @@ export interface ClipSelection {
 
 const NOTHING: ClipSelection = { keys: new Set(), events: [] };
 
-/** The selection in the edited clip, remembered by the clip's text. */
+/** The selection in the edited clip, remembered for each of its states (as serialised text). */
 export class ClipSelections {
   /** Serialised data of the clip that `current` belongs to; '' for none. */
   text = '';
   current: ClipSelection = NOTHING;
   private readonly byText = new Map<string, ClipSelection>();
 
-  /** Clears the selections, since another clip is shown. */
+  /** Switches to another clip, restoring the selection remembered for its text. */
   show(text: string): void {
     this.text = text;
     this.current = this.byText.get(text) ?? NOTHING;
@@ -30,14 +30,14 @@ export class ClipSelections {
     this.remember();
   }
 
-  /** Sets the selection for the time when the clip has a text. */
+  /** Remembers a selection for a clip's future text, before the edit that leads to it. */
   expect(text: string, selection: ClipSelection): void {
     this.remember();
     this.byText.set(text, selection);
     if (text === this.text) this.current = selection;
   }
 
-  /** Called after edits, undo included: restores the selection that was made with the clip's present text. */
+  /** Called after edits, undo included: restores the selection that was made with the clip's current text. */
   follow(text: string, data: ClipData): void {
     if (text === this.text) return;
     this.text = text;

@@ -11,7 +11,7 @@ import type { KeyEdit, KeySelection } from './editKeys';
 import { componentOf, recordEdit } from './recordEdit';
 import { addressOf } from './trackTargets';
 
-/** Text of a clip's data; '' for no clip. */
+/** Serialised data of a clip; '' for no clip. */
 const textOf = (clip: ClipAsset | null): string => (clip ? (clip.getAuthored('data') as string) : '');
 
 /**
@@ -26,7 +26,7 @@ export class Timeline implements EditRecorder {
 
   private currentClip: ClipAsset | null = null;
   private currentRoot: GameObject | null = null;
-  /** Name of the clip that the user chose for the object. */
+  /** Name of the clip that the user chose in place of the one that the object plays; null for none. */
   private chosen: string | null = null;
   private seconds = 0;
   private readonly selections = new ClipSelections();
@@ -104,7 +104,7 @@ export class Timeline implements EditRecorder {
     return this.isOpen && !this.isFollowing && this.currentClip !== null && this.currentRoot !== null;
   }
 
-  /** Called when the timeline panel is shown: begins to follow the document. */
+  /** Called when the timeline panel is shown: subscribes to the document. */
   open(): void {
     if (this.isOpen) return;
     this.isOpen = true;
@@ -131,7 +131,7 @@ export class Timeline implements EditRecorder {
     this.endings = [];
   }
 
-  /** Selects the clip to edit. @param name - null for the one that the object plays */
+  /** Selects the clip to edit. @param name - null for the clip that the object plays */
   choose(name: string | null): void {
     this.chosen = name;
     this.refresh();
@@ -219,7 +219,7 @@ export class Timeline implements EditRecorder {
     this.document.commands.run(setClip(label, clip, data));
   }
 
-  /** Begins a drag: any number of previews, each an edit of the clip as it is now, and one step in the end. */
+  /** Begins a drag: any number of previews, each replacing the one before, and one undo step at the end. */
   beginEdit(): ClipGesture | null {
     const { clip } = this;
     if (!clip) return null;
@@ -244,7 +244,7 @@ export class Timeline implements EditRecorder {
     };
   }
 
-  /** The value that edits of a field start from: while recording, the one at the playhead. */
+  /** The value that edits of a field start from: while recording, the value at the playhead. */
   valueOf(owner: FieldTarget, name: string): FieldValue | undefined {
     const component = this.records && componentOf(owner);
     if (!component || !this.currentRoot || !addressOf(this.currentRoot, component, name)) return undefined;
@@ -255,7 +255,7 @@ export class Timeline implements EditRecorder {
     const { clip, root, data, duration, seconds: time } = this;
     if (!clip || !root) return (command) => command;
     return (command) => {
-      // moving objects in the tree reads their poses, which must be the authored ones
+      // moving objects in the tree reads their poses, which must be the authored ones, not the preview's
       if (!(command instanceof SetFields)) this.interrupt();
       else if (this.records) return recordEdit(command, { clip, root, data, duration, time });
       else if (this.previews && this.isOfTrack(command, root)) this.endPreview();
@@ -290,7 +290,7 @@ export class Timeline implements EditRecorder {
     this.refresh();
   }
 
-  /** Looks up the clip and its object again. */
+  /** Updates the edited clip and its object from the selection. */
   private refresh(): void {
     const { document } = this;
     const asset = document.assetSelection.primary;
@@ -334,14 +334,14 @@ export class Timeline implements EditRecorder {
     this.shownChanged();
   }
 
-  /** Redraws the viewport and, while recording, the inspector, after the preview has changed the values they show. */
+  /** Redraws the viewport and, while recording, the inspector, after the preview has changed values of the scene. */
   private shownChanged(): void {
     this.redraw();
     this.document.previewed.emit();
   }
 
   private edited(): void {
-    // an edit of many fields emits once for each
+    // an edit of many fields emits once per field
     if (this.isWaiting) return;
     this.isWaiting = true;
     queueMicrotask(() => {
@@ -358,7 +358,7 @@ export class Timeline implements EditRecorder {
     this.changed.emit();
   }
 
-  /** Sets the selection for the time when the clip has these data. */
+  /** Remembers a selection for these data, before the edit that sets them. */
   private expect(data: ClipData, selection: ClipSelection): void {
     const text = writeClip(data);
     if (this.currentClip && text !== this.selections.text) noteClipData(this.currentClip, text, data);

@@ -6,7 +6,7 @@ export const EMPTY_CLIP: ClipData = { tracks: [], events: [] };
 /** Id of a track within its clip. */
 export const trackId = ({ path, component, field }: TrackAddress): string => `${path}\n${component}\n${field}`;
 
-/** Parsed data of each clip, with the text it was parsed from or written to; avoids parsing long texts again. */
+/** Parsed data of each clip, with the text it was parsed from or written to; saves parsing long texts again. */
 const known = new WeakMap<ClipAsset, { readonly text: string; readonly data: ClipData }>();
 
 /** Serialised text of each clip's data. */
@@ -48,13 +48,13 @@ export function clipDataOf(clip: ClipAsset): ClipData {
   try {
     data = clip.clip;
   } catch {
-    // the component that plays the clip reports it
+    // malformed: the component that plays the clip reports it
   }
   known.set(clip, { text, data });
   return data;
 }
 
-/** Stores the parsed data for a text that a clip is about to get. */
+/** Stores the parsed data for the text that a clip is about to have. */
 export const noteClipData = (clip: ClipAsset, text: string, data: ClipData): void => {
   known.set(clip, { text, data });
 };

@@ -15,8 +15,8 @@ export const durationOf = (clip: ClipAsset): number => clip.duration;
 export const frameRateOf = (clip: ClipAsset): number => clip.frameRate;
 
 /**
- * Replaces tracks and events of a clip, extending the clip when they go beyond its end.
- * @param duration - least duration (s); the present one when absent
+ * Replaces tracks and events of a clip, extending the clip when they lie beyond its end.
+ * @param duration - minimum duration (s); the current one when absent
  */
 export function setClip(label: string, clip: ClipAsset, data: ClipData, duration = durationOf(clip)): SetFields {
   const text = writeClip(data);
@@ -35,7 +35,7 @@ export const setDuration = (clip: ClipAsset, duration: number): SetFields =>
 
 /**
  * Adds an empty clip, and a component that plays it when the object has none.
- * @param player - the component's class, and its field that names a clip
+ * @param player - the component's class, and its field for the clip
  * @returns the command, and the clip's name
  */
 export function addClip(

@@ -1,9 +1,9 @@
 import type { Component, ComponentClass, GameObject, Scene } from '@farol/engine';
 
-/** Component type that plays clips, and its field that names the clip. */
+/** Component type that plays clips, and its field for the clip. */
 const PLAYER = { type: 'Animation', field: 'clip' } as const;
 
-/** The component class that plays clips, and its field that names the clip; null where the class is unknown. */
+/** The component class that plays clips, and its field for the clip; null when the scene lacks the class. */
 export function clipPlayer({ registry }: Scene): { readonly type: ComponentClass; readonly field: string } | null {
   const type = registry.types.get(PLAYER.type);
   return type ? { type, field: PLAYER.field } : null;
@@ -11,7 +11,7 @@ export function clipPlayer({ registry }: Scene): { readonly type: ComponentClass
 
 const componentOn = (object: GameObject): Component | null => object.getComponent(PLAYER.type);
 
-/** The closest object, from the given one upwards, that plays clips. */
+/** The closest object that plays clips: the given one or an ancestor. */
 export function playerAbove(object: GameObject): GameObject | null {
   for (let at: GameObject | null = object; at; at = at.parent) if (componentOn(at)) return at;
   return null;

@@ -18,7 +18,7 @@ export const keyPlace = (time: number): number => Math.round(time / SAME_TIME);
 /** Id of a key within its clip, valid until its time changes. @param track - `trackId` of its track */
 export const keyId = (track: string, time: number): string => `${track}\n${keyPlace(time)}`;
 
-/** The track and the time, as `keyPlace`, of a key's id. */
+/** Splits a key's id into track and time, the latter as `keyPlace`. */
 export function splitKeyId(id: string): [track: string, place: number] {
   const at = id.lastIndexOf('\n');
   return [id.slice(0, at), Number(id.slice(at + 1))];
@@ -42,7 +42,7 @@ const animatedKinds: ReadonlySet<Field['kind']> = new Set([
 export const isAnimatable = (field: Field | undefined): boolean =>
   field !== undefined && animatedKinds.has(field.kind) && !field.readOnly;
 
-/** Whether a value can be interpolated; others step. */
+/** Whether a value can be interpolated; other values change in steps. */
 export const isNumeric = (value: FieldValue | undefined): boolean => typeof value === 'number' || isTriple(value);
 
 export const findTrack = (data: ClipData, address: TrackAddress): ClipTrack | undefined => {
@@ -50,7 +50,7 @@ export const findTrack = (data: ClipData, address: TrackAddress): ClipTrack | un
   return data.tracks.find((track) => track.path === path && track.component === component && track.field === field);
 };
 
-/** Interpolates linearly; gives `from` for values that cannot be interpolated. @param way - 0 to 1 */
+/** Interpolates linearly; returns `from` when values cannot be interpolated. @param way - 0 to 1 */
 export function mixValues(from: FieldValue, to: FieldValue, way: number): FieldValue {
   if (typeof from === 'number' && typeof to === 'number') return from + (to - from) * way;
   if (isTriple(from) && isTriple(to)) {

@@ -34,8 +34,8 @@ export function readCopiedKeys(text: string): CopiedKeys | null {
 }
 
 /**
- * Pastes keys at a time, replacing keys that are there and adding tracks that are missing.
- * @param onto - track for copied keys of a single track; each goes to its own track when absent
+ * Pastes keys at a time, replacing existing keys and adding missing tracks.
+ * @param onto - track for copied keys of a single track; each key's own track when absent
  * @returns the clip, with the pasted keys selected
  */
 export function pasteKeys(data: ClipData, copied: CopiedKeys, time: number, onto?: TrackAddress): KeyEdit {

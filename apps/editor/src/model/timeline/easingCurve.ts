@@ -43,8 +43,8 @@ const mix = (a: number, b: number, t: number): number => a + (b - a) * t;
  * Splits a curve in two that together are the same curve.
  * @param share - share of the time, above 0 and below 1
  * @returns progress at the split, and both parts' control points relative to their own extent. A part that begins and
- *   ends at the same progress becomes straight. A handle that would leave its part in time, as with curves steep in the
- *   middle, is clamped.
+ *   ends at the same progress becomes straight. A handle whose time would be outside of its part, as with curves steep
+ *   in the middle, is clamped.
  */
 export function splitCurve(
   share: number,

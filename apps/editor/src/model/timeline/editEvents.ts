@@ -24,7 +24,7 @@ export function changeEvent(data: ClipData, place: number, change: Partial<ClipE
   return sorted(data, data.events.with(place, event), [event]);
 }
 
-/** Moves events; none goes before time 0. @param by - seconds */
+/** Moves events, none of them before time 0. @param by - seconds */
 export function moveEvents(data: ClipData, places: readonly number[], by: number): EventEdit {
   const first = Math.min(...places.map((place) => data.events[place].time));
   const limited = Math.max(by, -first);

@@ -34,7 +34,7 @@ const withTracks = (data: ClipData, tracks: readonly ClipTrack[]): ClipData => (
 
 const addressOf = ({ path, component, field }: TrackAddress): TrackAddress => ({ path, component, field });
 
-/** A key without properties that have their default. */
+/** Creates a key, leaving out properties with default values. */
 function makeKey(time: number, value: FieldValue, easing: Easing | undefined, control?: CurveControl): ClipKey {
   const key: ClipKey = { time, value };
   if (easing === undefined || easing === 'linear' || !isNumeric(value)) return key;
@@ -60,7 +60,7 @@ function placesOf(selected: KeySelection): ReadonlyMap<string, ReadonlySet<numbe
 
 const none = (): boolean => false;
 
-/** A function that tells whether a key of a track is selected. */
+/** Returns a predicate: whether a key of the track is selected. */
 export function selectedIn(selected: KeySelection, track: TrackAddress): (key: ClipKey) => boolean {
   const places = selected.size === 0 ? undefined : placesOf(selected).get(trackId(track));
   return places ? ({ time }) => places.has(keyPlace(time)) : none;
@@ -100,19 +100,17 @@ export const allKeys = ({ tracks }: ClipData): Set<string> =>
     }),
   );
 
-/** The part of a selection that still exists. */
+/** The part of a selection whose keys still exist. */
 export const keptSelection = (data: ClipData, selected: KeySelection): KeySelection =>
   new Set(selectedKeys(data, selected).map(({ key, track }) => keyId(trackId(track), key.time)));
 
-/**
- * Inserts keys into a track's, replacing simultaneous ones. @param added - in any order; the last one of a time counts
- */
+/** Inserts keys into a list, replacing simultaneous ones. @param added - in any order; the last one of a time counts */
 export function insertKeys(keys: readonly ClipKey[], added: readonly ClipKey[]): ClipKey[] {
   const byPlace = new Map(added.map((key) => [keyPlace(key.time), key]));
   return [...keys.filter(({ time }) => !byPlace.has(keyPlace(time))), ...byPlace.values()].toSorted(inOrder);
 }
 
-/** Keys with one more. A key with the curve's own value splits the curve without changing its shape. */
+/** Inserts a key. A key with the curve's own value splits the curve without changing its shape. */
 function insertKey(keys: readonly ClipKey[], time: number, value: FieldValue | undefined): ClipKey[] {
   const i = keyBefore(keys, time);
   const before = keys[i];
@@ -158,7 +156,7 @@ export const removeTracks = (data: ClipData, ids: ReadonlySet<string>): ClipData
     data.tracks.filter((track) => !ids.has(trackId(track))),
   );
 
-/** Makes a track animate something else. @returns the same clip when a track for that exists already */
+/** Gives a track another address. @returns the same clip when a track with that address exists already */
 export function retargetTrack(data: ClipData, from: TrackAddress, to: TrackAddress): ClipData {
   const track = findTrack(data, from);
   if (!track || findTrack(data, to)) return data;
@@ -206,7 +204,7 @@ export function rangeOfKeys(data: ClipData, selected: KeySelection): { first: nu
   return first > last ? null : { first, last };
 }
 
-/** Moves the selected keys; none goes before time 0. @param by - seconds */
+/** Moves the selected keys; none of them before time 0. @param by - seconds */
 export function moveKeys(data: ClipData, selected: KeySelection, by: number): KeyEdit {
   const range = rangeOfKeys(data, selected);
   if (!range) return { data, selected };
@@ -234,7 +232,7 @@ function changeKeys(data: ClipData, selected: KeySelection, change: (key: ClipKe
   return withTracks(data, tracks);
 }
 
-/** Sets the easing from each selected key to the next. Flags and choices always step. */
+/** Sets the easing from each selected key to the next. Booleans and choices always change in steps. */
 export const easeKeys = (data: ClipData, selected: KeySelection, easing: Easing, control?: CurveControl): ClipData =>
   changeKeys(data, selected, ({ time, value }) => makeKey(time, value, easing, control));
 

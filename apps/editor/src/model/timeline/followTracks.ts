@@ -12,16 +12,16 @@ import { CommandList } from '../commands/CommandList';
 import { clipDataOf, noteClipData, trackId, writeClip } from './clipDataOf';
 import { playedClip } from './clipPlayer';
 
-/** An object found by a path of a clip, below one of the objects that play the clip. */
+/** An object that a path of a clip leads to, below one of the objects that play the clip. */
 interface Found {
   readonly root: GameObject;
   readonly object: GameObject;
 }
 
-/** Objects found by tracks: by clip, then by path. The root itself has no name in paths, and is left out. */
+/** Objects that tracks animate: by clip, then by path. The root has no path, and is left out. */
 type TrackObjects = ReadonlyMap<ClipAsset, ReadonlyMap<string, readonly Found[]>>;
 
-/** Objects found by the tracks of all clips that are played. */
+/** Objects that the tracks of all played clips animate. */
 function trackObjects(scene: Scene): TrackObjects {
   const clips = new Map<ClipAsset, Map<string, Found[]>>();
   for (const { gameObject: root } of scene.componentsOf('Animation')) {
@@ -38,7 +38,7 @@ function trackObjects(scene: Scene): TrackObjects {
   return clips;
 }
 
-/** The path that now finds all of several objects, each below its root; null where there is none. */
+/** The new path that leads to several objects, each below its own root; null when their paths differ. */
 function commonPath(found: readonly Found[]): string | null {
   const paths = new Set(found.map(({ root, object }) => pathBelow(root, object)));
   return paths.size === 1 ? [...paths][0] : null;
@@ -50,7 +50,7 @@ function setTracks(label: string, clip: ClipAsset, data: ClipData): Command {
   return new SetFields(label, [{ owner: clip, name: 'data', value }]);
 }
 
-/** Edits of tracks after which they find the objects found before. */
+/** Edits of tracks after which they animate the same objects as before. */
 function edits(label: string, before: TrackObjects): Command[] {
   const commands: Command[] = [];
   for (const [clip, byPath] of before) {
@@ -81,7 +81,7 @@ export function retypeTracks(label: string, { assets }: Scene, from: string, to:
   });
 }
 
-/** A command together with the edits of tracks that it needs, as one step. */
+/** A command together with the edits of tracks that it entails, as one step. */
 class FollowTracks implements Command {
   private follow: Command | null = null;
 
@@ -124,9 +124,9 @@ class FollowTracks implements Command {
 }
 
 /**
- * Wraps a command that renames or moves objects, so that tracks of the scene's clips find the same objects afterwards,
- * in the same step. Tracks stay unchanged where no path does so: the object is no longer below the one that plays the
- * clip, or another player of the clip would lose its object.
+ * Wraps a command that renames or moves objects, so that, in the same step, tracks of the scene's clips are changed to
+ * animate the same objects afterwards. A track is unchanged when no path can do so: the object is no longer below the
+ * one that plays the clip, or another player of the clip would lose its object.
  */
 export const followTracks = (scene: Scene, command: Command): Command =>
   scene.componentsOf('Animation').length === 0 ? command : new FollowTracks(scene, command);

@@ -40,8 +40,8 @@ export function withKeys(data: ClipData, values: readonly KeyValue[], time: numb
 }
 
 /**
- * Turns an edit of fields into keys, for components of the animated object and of everything below it. Edits of other
- * fields, and other commands, are returned unchanged.
+ * Turns an edit of fields into keys, for components of the animated object and its descendants. Edits of other fields,
+ * and other commands, are returned unchanged.
  */
 export function recordEdit(command: Command, recording: Recording): Command {
   if (!(command instanceof SetFields)) return command;

@@ -1,4 +1,4 @@
-/** Edits of the timeline's clip by the panel, its keys and its menus; each is one step of the history. */
+/** Edits of the timeline's clip by the panel, its shortcuts and its menus; each is one step of the history. */
 import { labelOfField, t, tCount } from '@farol/editing';
 import type { ClipTrack, Easing } from '@farol/engine';
 import { clipName } from './clipEdits';
@@ -24,7 +24,8 @@ const addedLabel = (timeline: Timeline, count: number): string =>
   tCount(count, 'Added {count} key to {name}', 'Added {count} keys to {name}', { name: nameOf(timeline) });
 
 /**
- * Adds keys to tracks at the playhead, with the current value of the animated field, else of the curve; selects them.
+ * Adds keys to tracks at the playhead, with the current value of the animated field, else the curve's; selects the
+ * keys.
  */
 export function addKeys(timeline: Timeline, tracks: readonly ClipTrack[]): void {
   const { root, time } = timeline;
@@ -59,7 +60,7 @@ export function keyTransforms(timeline: Timeline): boolean {
   return true;
 }
 
-/** Adds a track for a field, with a key of the present value at the playhead. */
+/** Adds a track for a field, with a key of its current value at the playhead. */
 export function addTrack(timeline: Timeline, { address, object, field }: AnimatableField): void {
   const target = targetOf(timeline.root, address);
   if (!target || findTrack(timeline.data, address)) return;
@@ -79,7 +80,7 @@ export function deleteTracks(timeline: Timeline, tracks: readonly ClipTrack[]): 
   timeline.edit(label, { data: removeTracks(timeline.data, new Set(tracks.map(trackId))), selected: new Set() });
 }
 
-/** Makes tracks whose target is gone animate another object below the root. @param path - path of that object */
+/** Makes tracks without a target animate another object below the root. @param path - path of that object */
 export function retargetTracks(timeline: Timeline, tracks: readonly ClipTrack[], path: string, object: string): void {
   const data = tracks.reduce((each, track) => retargetTrack(each, track, { ...track, path }), timeline.data);
   const label = t('Gave the tracks of {name} to {object}', { name: nameOf(timeline), object });

@@ -3,14 +3,14 @@ import { type Component, type GameObject, objectAtPath, pathBelow } from '@farol
 import { componentName } from '../componentName';
 import { isAnimatable, type TrackAddress } from './clipTracks';
 
-/** The component that a track animates; null when it is gone or lacks the field. */
+/** The component that a track animates; null when there is none, or it lacks the field. */
 export function targetOf(root: GameObject | null, { path, component, field }: TrackAddress): Component | null {
   const target = root && objectAtPath(root, path)?.getComponent(component);
   return target && isAnimatable(target.fields[field]) ? target : null;
 }
 
 /**
- * Address of a track for a component's field; null when the field cannot be animated, or its path finds another object.
+ * Address of a track for a component's field; null when the field cannot be animated, or its path means another object.
  */
 export function addressOf(root: GameObject, component: Component, field: string): TrackAddress | null {
   if (!component.isAttached || !isAnimatable(component.fields[field])) return null;
@@ -23,13 +23,13 @@ export function addressOf(root: GameObject, component: Component, field: string)
 /** A field that a track can be added for. */
 export interface AnimatableField {
   readonly address: TrackAddress;
-  /** Names from below the root to the object, such as 'Arm/Cube'. */
+  /** Path of the object below the root, such as 'Arm/Cube'. */
   readonly object: string;
   readonly component: string;
   readonly field: string;
 }
 
-/** All fields that can be animated, of an object and everything below it, in tree order. */
+/** All fields of an object and its descendants that can be animated, in tree order. */
 export function animatableFields(root: GameObject): AnimatableField[] {
   const list: AnimatableField[] = [];
   root.traverse((object) => {

@@ -5,10 +5,10 @@ import { Button } from '../../ui/Button';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './agent.css';
 
-/** Never emits; in place of `AgentLink.changed` while no agent is allowed. */
+/** Signal that never emits, in place of `AgentLink.changed` while no agent is allowed. */
 const never = new Signal();
 
-/** Bar over the window while agents may edit: who is connected, how often they called, and a button that ends it. */
+/** Bar at the top of the window while agents may edit: clients, number of calls, and a button to end the link. */
 export function AgentBar(): ReactNode {
   useSignal(linksChanged);
   const link = linkOf(useEditor());

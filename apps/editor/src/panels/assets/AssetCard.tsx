@@ -4,7 +4,7 @@ import { type AssetEntry, kindLabel } from '../../files/assetKinds';
 import { Thumbnail } from '../../ui/Thumbnail';
 
 interface AssetCardProps {
-  /** A new object each time the asset may look different. */
+  /** Data of the asset; a new object whenever the card may look different. */
   readonly entry: AssetEntry;
   readonly selected: boolean;
   /** Names of all selected assets, which are dragged together. */

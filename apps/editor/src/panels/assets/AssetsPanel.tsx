@@ -78,7 +78,7 @@ const matches = (label: string, search: string): boolean =>
     .split(/\s+/)
     .every((word) => label.toLowerCase().includes(word));
 
-/** Target of a context menu: a card, a folder, or the empty space. */
+/** Target of a context menu: a card, a folder, or empty space. */
 interface Pressed {
   readonly entry: AssetEntry | null;
   readonly folder: string | null;
@@ -119,7 +119,7 @@ export function AssetsPanel(): ReactNode {
         : entry.folder === folder && !entry.isVariant),
   );
   const isUnsorted = isFlat || (filter !== 'all' && filter !== 'own');
-  /** Numbers of parts, by model; they are folded into its card until asked for. */
+  /** Number of parts of each model; parts are hidden until their model's card is unfolded. */
   const parts = useMemo(
     () => countBy(all.flatMap(({ model, isVariant }) => (model && !isVariant ? [model] : []))),
     [all],
@@ -183,7 +183,7 @@ export function AssetsPanel(): ReactNode {
         >
           {shown.length + below.length === 0 && (
             <p className="assets-empty">
-              {isFlat ? t('Nothing of that name.') : t('Nothing here yet. Drop files here to import them.')}
+              {isFlat ? t('Nothing matches the search.') : t('Nothing here yet. Drop files here to import them.')}
             </p>
           )}
           <ul className="assets-grid">

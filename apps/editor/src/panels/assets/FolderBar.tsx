@@ -3,7 +3,7 @@ import { Fragment, type ReactNode } from 'react';
 import { splitName } from '../../model/assetNames';
 import { FolderTarget } from './FolderTarget';
 
-/** Path of the open folder; assets can be dropped on each parent. */
+/** Path of the open folder as buttons; assets can be dropped on each ancestor. */
 export function FolderBar({ folder, onOpen }: { folder: string; onOpen(folder: string): void }): ReactNode {
   const parts = folder === '' ? [] : folder.split('/');
   return (

@@ -6,7 +6,6 @@ import { useEditor } from '../../ui/EditorContext';
 import { useDropTarget } from '../../ui/useDropTarget';
 
 interface FolderTargetProps {
-  /** Path of the folder; '' for the top. */
   readonly folder: string;
   readonly className: string;
   readonly children: ReactNode;

@@ -7,7 +7,7 @@ import { Sequence } from '../../model/commands/Sequence';
 import { deletePrefab, instancesOf, renamePrefab } from '../../model/prefabEdits';
 import { renameAnyAsset } from '../../model/scriptEdits';
 
-/** @throws Error with the reason when an asset cannot be deleted */
+/** Checks that an asset can be deleted. @throws Error with the reason when not */
 function checkRemovable({ document }: EditorApi, { isBuiltin, label, name }: AssetEntry): void {
   if (isBuiltin) throw new Error(t('{label} came with Farol, and cannot be deleted.', { label }));
   const model = document.assets.modelOf(name);

@@ -77,13 +77,13 @@ export function surfaceEntries(editor: EditorApi, name: string): MenuCommand[] {
 }
 
 /** Selects the objects that use an asset, or the instances of a prefab. */
-function selectUsers({ document }: EditorApi, { kind, name }: AssetEntry): void {
+function selectUsers({ document }: EditorApi, { kind, name, label }: AssetEntry): void {
   const { scene } = document;
   const ids =
     kind === 'prefab'
       ? instancesOf(scene, name).map(({ id }) => id)
       : usagesOf(scene, name).flatMap(({ object }) => object ?? []);
-  if (ids.length === 0) throw new Error(t('No object uses it.'));
+  if (ids.length === 0) throw new Error(t('No object uses {name}.', { name: label }));
   document.selection.set(ids);
 }
 

@@ -61,7 +61,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
   const { scene } = document;
-  // nothing is counted during a bake: other meshes then stand in for those of the scene
+  // not updated during a bake, which replaces meshes of the scene
   const counts = usePoll(
     useCallback(() => countForBake(document.scene).join(), [document]),
     isRunning ? 0 : 2,
@@ -75,7 +75,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
       </p>
       {!isRunning && objects === 0 && (
         <Mend
-          text={t('Nothing is static: switch on Static for what stays where it is.')}
+          text={t('Nothing is static: switch on Static for objects that do not move.')}
           action={
             canBeStatic > 0 ? tCount(canBeStatic, 'Make {count} object static', 'Make {count} objects static') : null
           }
@@ -93,7 +93,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
       )}
       {instanced > 0 && (
         <p className="bake-note">
-          {t('Instanced objects have no lightmap: probes light them. They are {count}.', { count: instanced })}
+          {t('{count} instanced objects have no lightmap: probes light them.', { count: instanced })}
         </p>
       )}
     </>
@@ -102,7 +102,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
 
 interface MendProps {
   readonly text: string;
-  /** Label of a button that solves the problem at once; null for none. */
+  /** Label of a button that solves the problem; null for none. */
   readonly action: string | null;
   onMend(): void;
 }

@@ -73,7 +73,9 @@ export function ConsolePanel(): ReactNode {
         </button>
       </div>
       {shown.length === 0 ? (
-        <p className="panel-empty">{log.entries.length === 0 ? t('No messages yet.') : t('Nothing like that.')}</p>
+        <p className="panel-empty">
+          {log.entries.length === 0 ? t('No messages yet.') : t('No message matches the filter.')}
+        </p>
       ) : (
         // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling list
         <ul className="console" ref={list} tabIndex={0} aria-label={t('Messages')}>

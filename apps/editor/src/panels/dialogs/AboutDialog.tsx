@@ -8,7 +8,7 @@ import { Button } from '../../ui/Button';
 /** Name of the licence, not translated. */
 const LICENCE = 'MIT';
 
-/** Shows what the editor is, the device it runs on, and its licence. */
+/** Shows the editor's purpose, the device it runs on, and its licence. */
 export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
   const { viewport } = useEditor();
   const gl = viewport.webgl.getContext();

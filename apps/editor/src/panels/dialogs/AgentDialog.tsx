@@ -7,21 +7,21 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { CopyButton } from './CopyButton';
 import '../agent/agent.css';
 
-/** Command that starts a server with a relay, not translated. */
+/** Command that starts a server that accepts agents, not translated. */
 const COMMAND = 'npm start';
 
-/** Command by which an MCP client starts the server: the package's, unless the dev server names a script. */
+/** Command by which an MCP client starts the server: the package's command, unless the dev server names a script. */
 async function startOf(): Promise<{ command: string; args: readonly string[] }> {
   try {
     const { agent } = (await (await fetch('./apps.json')).json()) as { agent?: string };
     if (agent) return { command: 'node', args: [agent] };
   } catch {
-    // a page that a folder serves has no such file
+    // a page served from a plain folder has no such file
   }
   return { command: 'npx', args: ['-y', '-p', '@farol/mcp', 'farol-mcp'] };
 }
 
-/** Asks whether agents may edit, and has the setting by which an MCP client finds the editor. */
+/** Asks whether agents may edit, and shows the settings with which an MCP client connects to the editor. */
 export function AgentDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   useSignal(linksChanged);
@@ -50,9 +50,7 @@ export function AgentDialog({ onClose }: { onClose(): void }): ReactNode {
           'A program on this computer that speaks the Model Context Protocol may then read this scene and its messages, see its picture, edit it and run the commands of the menus. Each of its calls is one step that you can undo.',
         )}
       </Dialog.Description>
-      <p>
-        {t('A bar shows as long as it may. It ends by the button in the bar, and when this tab is closed or reloaded.')}
-      </p>
+      <p>{t('A bar is shown while agents may edit. Its button ends that, as does closing or reloading this tab.')}</p>
       {isServed ? (
         <>
           {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling text */}

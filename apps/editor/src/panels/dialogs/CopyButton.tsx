@@ -9,7 +9,7 @@ interface CopyProps {
   readonly disabled?: boolean;
 }
 
-/** Copies a text, and says so by its label. */
+/** Button that copies a text, and confirms it in its label. */
 export function CopyButton({ text, label, disabled }: CopyProps): ReactNode {
   const editor = useEditor();
   const copy = async (): Promise<void> => {

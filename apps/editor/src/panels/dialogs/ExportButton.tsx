@@ -7,7 +7,7 @@ interface ExportButtonProps {
   readonly label: string;
   /** Description of the exported file, one line. */
   readonly note: string;
-  /** Makes the file and downloads it. @returns a line for each thing that the format cannot hold */
+  /** Creates the file and downloads it. @returns a line for each kind of thing that the format does not support */
   run(): Promise<readonly string[]>;
 }
 
@@ -40,7 +40,7 @@ export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode
       </div>
       {lost.length > 0 && (
         <div className="export-lost" role="status">
-          <span>{t('What glTF cannot hold:')}</span>
+          <span>{t('Not supported by glTF:')}</span>
           <ul>
             {lost.map((line) => (
               <li key={line}>{line}</li>

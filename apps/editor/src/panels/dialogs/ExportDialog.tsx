@@ -103,7 +103,9 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
       <section className="export-part" aria-label={t('Embed code')}>
         <h3>{t('Embed code')}</h3>
         {!hash && (
-          <span className="export-note">{t('Put the exported web page beside your own, and this into it:')}</span>
+          <span className="export-note">
+            {t('Put the exported web page beside your own, and this code into yours:')}
+          </span>
         )}
         <textarea readOnly value={frame} aria-label={t('Embed code')} />
         <div className="export-row">

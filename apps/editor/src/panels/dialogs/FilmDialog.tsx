@@ -24,28 +24,28 @@ import { NumberRow, PixelSize, type Size } from './PixelSize';
 const LARGEST = 8192;
 /** Latest time at which a film ends (s): a day. */
 const LATEST = 86_400;
-/** Names of sizes that are often asked for, not translated. */
+/** Names of common sizes, not translated. */
 const sizes = { '720p': [1280, 720], '1080p': [1920, 1080], '4K': [3840, 2160] } as const;
 
-/** Factors on a format's bits for a pixel. */
+/** Factors on a format's bits per pixel. */
 const qualities = { small: 0.5, good: 1, high: 2.5 } as const;
 
-/** Settings of the dialog; kept until the page is closed, since films are made again and again. */
+/** Settings of the dialog, remembered until the page is closed, since films are often made again. */
 interface FilmSettings {
-  /** Format of the file; null until the browser has told which formats it encodes. */
+  /** Format of the file; null until it is known which formats the browser encodes. */
   readonly format: FilmFormatName | null;
   readonly size: Size;
-  /** Frames a second. */
+  /** Frames per second. */
   readonly rate: number;
   readonly ownRate: boolean;
-  /** Times of the scene (s). */
+  /** Scene times of the film's beginning and end (s). */
   readonly from: number;
   readonly to: number;
   readonly shot: ShotName;
   readonly turns: number;
   readonly plays: boolean;
   readonly quality: keyof typeof qualities;
-  /** Bits a second, as typed; null: by `quality`. */
+  /** Bits per second, as typed; null to compute it from `quality`. */
   readonly bitrate: number | null;
   readonly isTransparent: boolean;
 }
@@ -64,14 +64,14 @@ function shotOptions({ document: { scene } }: EditorApi): SelectOption<ShotName>
   if (scene.activeCamera)
     options.push({ value: 'active', label: t('The scene’s camera'), help: t('Also where a script chooses another.') });
   if (keptViews(scene).length > 1)
-    options.push({ value: 'path', label: t('Through the kept views'), help: t('A smooth path in their order.') });
+    options.push({ value: 'path', label: t('Through the stored views'), help: t('A smooth path in their order.') });
   const help = t('Around the selection, or the scene, from the view as shown.');
   options.push({ value: 'turntable', label: t('Turntable'), help });
   if (cameras.length > 1) for (const { id, gameObject } of cameras) options.push({ value: id, label: gameObject.name });
   return options;
 }
 
-/** Asks the browser whether it encodes such a film. @returns the problem; null for none, undefined until it has answered */
+/** Asks the browser whether it encodes such a film. @returns the problem; null for none, undefined until then */
 function useProblem(format: FilmFormatName | null, { width, height, bitrate }: VideoSize): string | null | undefined {
   const asked = `${format} ${width} ${height} ${bitrate}`;
   const [answer, setAnswer] = useState<{ readonly asked: string; readonly problem: string | null } | null>(null);
@@ -84,7 +84,7 @@ function useProblem(format: FilmFormatName | null, { width, height, bitrate }: V
   return answer?.asked === asked ? answer.problem : undefined;
 }
 
-/** Saves a film of the scene: of its play, of a camera's path, or turning around it. */
+/** Saves a film of the scene: while it plays, along a camera's path, or around it as a turntable. */
 export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const { size: shown } = editor.viewport;

@@ -4,7 +4,7 @@ import type { Notice } from '../../model/Notices';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** Display time (ms): of a short message, of an error, and more for each letter. */
+/** Display times (ms): of a message, of an error, and the addition for each letter. */
 const SHOWN = 4000;
 const ERROR = 10_000;
 const READ = 70;

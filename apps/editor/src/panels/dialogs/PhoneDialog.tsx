@@ -7,15 +7,15 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Button } from '../../ui/Button';
 import { CopyButton } from './CopyButton';
 
-/** Command that makes the dev server answer phones, not translated. */
+/** Command that starts the dev server with access for phones, not translated. */
 const COMMAND = 'npm start -- --host';
 
-/** Shows the end of a long address, by which two of them differ. */
+/** Scrolls to the end of a long address, where addresses differ. */
 const showEnd = (input: HTMLInputElement | null): void => {
   if (input) input.scrollLeft = input.scrollWidth;
 };
 
-/** Address and QR code of the scene as it stands, for a phone or a headset, which then follows the edits. */
+/** Address and QR code of the scene, for a phone or a headset, which then shows each edit. */
 export function PhoneDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const [share] = useState(() => shareOf(editor));
@@ -34,7 +34,7 @@ export function PhoneDialog({ onClose }: { onClose(): void }): ReactNode {
       {!addresses && <p role="status">{t('Asking the server for its address…')}</p>}
       {isAlone && (
         <>
-          <p>{t('This server answers this machine alone. Stop it, and start it so that your network reaches it:')}</p>
+          <p>{t('This server answers only this machine. Stop it, and start it for your network by:')}</p>
           <div className="export-row">
             <input className="input" type="text" readOnly value={COMMAND} aria-label={t('Command')} />
             <CopyButton text={COMMAND} label={t('Command')} />

@@ -13,12 +13,12 @@ import { PixelSize, type Size } from './PixelSize';
 
 /** Largest side of a picture (pixels). */
 const LARGEST = 32_768;
-/** Names of sizes that are often asked for, not translated. */
+/** Names of common sizes, not translated. */
 const sizes = { '1080p': [1920, 1080], '4K': [3840, 2160], '8K': [7680, 4320], '16K': [15_360, 8640] } as const;
-/** Effects that take the picture as a whole, which tiles cannot have. */
+/** Effects that need the whole picture, and cannot be drawn in tiles. */
 const wholeEffects = ['bloom', 'depthOfField', 'vignette'] as const;
 
-/** Saves the scene as the viewport's camera sees it as a PNG, at any size. */
+/** Saves the viewport camera's view of the scene as a PNG of any size. */
 export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const { document, viewport, dialogs, notices } = editor;

@@ -11,7 +11,7 @@ type NumberRowProps = Pick<NumberInputProps, 'label' | 'min' | 'max' | 'step' | 
   onChange(value: number): void;
 };
 
-/** A number with its label; what is typed and not committed is taken back by Escape. */
+/** A number with its label; Escape discards text that was typed and not committed. */
 export function NumberRow({ label, value, onChange, ...rest }: NumberRowProps): ReactNode {
   const [draft, setDraft] = useState<number | null>(null);
   return (
@@ -33,15 +33,15 @@ export function NumberRow({ label, value, onChange, ...rest }: NumberRowProps): 
 }
 
 interface PixelSizeProps {
-  /** Sizes by their names. */
+  /** Choices of sizes (pixels), by name. */
   readonly offered: Readonly<Record<string, Size>>;
   readonly value: Size;
-  /** Largest side. */
+  /** Largest width and height (pixels). */
   readonly max: number;
   onChange(value: Size): void;
 }
 
-/** Size of a picture: one of several, or by numbers. */
+/** Size of a picture: one of the choices, or typed numbers. */
 export function PixelSize({ offered, value: [width, height], max, onChange }: PixelSizeProps): ReactNode {
   const common = { min: 1, max, step: 1, unit: 'px' };
   return (

@@ -5,7 +5,7 @@ import type { RecoverDialog as RecoverRequest } from '../../model/Dialogs';
 import { SessionList } from './SessionList';
 import { Button } from '../../ui/Button';
 
-/** Offers unsaved scenes of tabs that were closed. */
+/** Dialog that offers unsaved scenes of closed tabs. */
 export function RecoverDialog({ request, onClose }: { request: RecoverRequest; onClose(): void }): ReactNode {
   return (
     <>
@@ -14,7 +14,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
       <SessionList offer={request} onClose={onClose} onEmpty={onClose} />
       <div className="dialog-buttons">
         <span className="dialog-hint">
-          {t('What is left for later stays: “Recover…” in the menu File offers it again.')}
+          {t('Scenes left for later are kept: “Recover…” in the menu File offers them again.')}
         </span>
         <Button label={t('Later')} onClick={onClose} />
       </div>

@@ -13,7 +13,7 @@ interface SessionListProps {
   onEmpty(): void;
 }
 
-/** Unsaved scenes of tabs that were closed; each can be recovered or discarded. */
+/** Unsaved scenes of closed tabs; each can be recovered or discarded. */
 export function SessionList({ offer, onClose, onEmpty }: SessionListProps): ReactNode {
   const editor = useEditor();
   const [sessions, setSessions] = useState(offer.sessions);

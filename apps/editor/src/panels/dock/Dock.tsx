@@ -29,8 +29,8 @@ export const styleOf = ({ x, y, width, height }: Rectangle): Record<string, numb
 });
 
 /**
- * The panels. Each is a child of the dock, not of its group, so that moving it does not remount it: the viewport keeps
- * its GL context, a list its scroll position.
+ * Container of the panels. Each is a child of the dock, not of its group, so that moving it does not remount it: the
+ * viewport keeps its GL context, a list its scroll position.
  */
 export function Dock({ children }: { children?: ReactNode }): ReactNode {
   const { panels, layout: panelLayout } = useEditor();

@@ -8,7 +8,7 @@ import { SheetEdge, type SheetEdgeProps } from './SheetEdge';
 
 interface SheetTabsProps {
   readonly rectangle: Rectangle;
-  /** The panel beside the viewport; null when there is none. */
+  /** Id of the panel beside the viewport; null for none. */
   readonly sheet: string | null;
 }
 

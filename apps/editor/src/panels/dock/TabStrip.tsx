@@ -28,14 +28,14 @@ function focusTab(panel: string): void {
   requestAnimationFrame(() => document.getElementById(`tab-${panel}`)?.focus());
 }
 
-/** Reduces inactive tabs to their icons if the titles of all tabs do not fit. */
+/** Reduces inactive tabs to icons when their titles do not fit. */
 function fitTabs(list: HTMLElement): void {
   list.dataset.icons = 'false';
   list.dataset.icons = String(list.scrollWidth > list.clientWidth);
 }
 
 /**
- * The tabs of a group. Arrow keys go to the next one, Alt+Shift and an arrow key moves the panel, Delete closes it; the
+ * The tabs of a group. Arrow keys focus the next tab, Alt+Shift and an arrow key moves the panel, Delete closes it; the
  * context menu offers these too.
  */
 export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {

@@ -3,7 +3,7 @@ import type { DropSide } from '../../layout/LayoutNode';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
 import { TAB_HEIGHT } from './tabHeight';
 
-/** Share of a group at each side where a dropped panel is put beside the group, not into it. */
+/** Width of a group's margins, as a share of its size; a panel dropped there is put beside the group, not into it. */
 const MARGIN = 0.25;
 
 function sideAt({ x, y, width, height }: Rectangle, px: number, py: number): DropSide {
@@ -61,7 +61,7 @@ export function dropAt(
   }
   const side = sideAt(rectangle, x, y);
   const isOwn = group.panels.includes(panel);
-  // in its own group a panel only moves among the tabs, or to a side if others remain
+  // within its own group a panel can only be reordered, or moved to a side when others remain
   if (isOwn && (side === 'centre' || group.panels.length === 1)) return null;
   const extent = side === 'left' || side === 'right' ? rectangle.width : rectangle.height;
   return { drop: { group: group.id, side, extent }, mark: partOf(rectangle, side) };

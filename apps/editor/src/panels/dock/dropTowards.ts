@@ -4,7 +4,7 @@ import type { PlacedGroup } from '../../layout/placeLayout';
 
 type Side = Exclude<DropSide, 'centre'>;
 
-/** Distance from a rectangle to another one at a side; null when the other is not there or does not face it. */
+/** Distance from a rectangle to another one at a side; null when the other is not at that side, or not opposite. */
 function distance(from: PlacedGroup['rectangle'], to: PlacedGroup['rectangle'], side: Side): number | null {
   const isRow = side === 'left' || side === 'right';
   const overlap = isRow
@@ -21,7 +21,7 @@ function distance(from: PlacedGroup['rectangle'], to: PlacedGroup['rectangle'], 
 }
 
 /**
- * Destination of a panel moved towards a side: the nearest group there, else a new group at that side of its own.
+ * Destination of a panel moved towards a side: the nearest group there, else a new group at that side of its group.
  * @returns null when it is already alone at that side
  */
 export function dropTowards(groups: readonly PlacedGroup[], panel: string, side: Side): PanelDrop | null {

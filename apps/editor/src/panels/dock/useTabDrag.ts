@@ -4,7 +4,7 @@ import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
 import { dropAt } from './dropAt';
 
-/** Distance (CSS pixels) from which a press is a drag. */
+/** Distance (CSS pixels) beyond which a press becomes a drag. */
 const REACH = 6;
 
 /** The dock in which tabs are dragged. */
@@ -14,7 +14,7 @@ export interface DragPlace {
   onMark(mark: Rectangle | null): void;
 }
 
-/** Drags tabs by mouse, finger or pen. Escape cancels. @returns begins a drag, as a tab is pressed */
+/** Drags tabs by mouse, finger or pen. Escape cancels. @returns the handler that begins a drag when a tab is pressed */
 export function useTabDrag(
   groups: readonly PlacedGroup[],
   { dock, onMark }: DragPlace,

@@ -11,7 +11,7 @@ export function EffectCosts(): ReactNode {
   const rows = usePoll(
     useCallback(() => {
       const { info, effects } = viewport.farol;
-      // an effect with several draws in a frame has one record
+      // draws of one effect in a frame share one record
       const passes = new Map(info.passes.map((pass) => [pass.name, pass]));
       return effects
         .flatMap(({ name }) => passes.get(name) ?? [])

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import './overlay.css';
 
-/** Colour scale of the debug views for light count and overdraw. @param view - the one that is shown */
+/** Colour scale of the debug views for light count and overdraw. @param view - the view that is shown */
 export function HeatScale({ view }: { readonly view: string }): ReactNode {
   const { viewport } = useEditor();
   const { heatMapMaximum } = viewport.farol;

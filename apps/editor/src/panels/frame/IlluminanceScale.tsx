@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { illuminanceStops } from '../../viewport/illuminance/scale';
 import './overlay.css';
 
-/** Colour scale of the false colours of illuminance. */
+/** Colour scale of the display of illuminance. */
 export function IlluminanceScale(): ReactNode {
   return (
     <figure className="heat-scale illuminance-scale" aria-label={t('Scale: from 0.1 lux, blue, to 100,000 lux, red')}>

@@ -12,16 +12,16 @@ import './overlay.css';
 import { viewMeanings } from './viewMeanings';
 import { viewMend } from './viewMend';
 
-/** Smallest width of a tile that has its name written in it (CSS pixels). */
+/** Smallest width of a tile with its name inside (CSS pixels). */
 const NAMED = 44;
-/** Width of a pane below which its legend begins folded to the name of the view (CSS pixels). */
+/** Width of a pane below which its legend is folded to the view's name at first (CSS pixels). */
 const WIDE = 320;
 
 const metres = (distance: number): string => distance.toPrecision(3).replace(/\.?0+$/, '');
 
 const lightName = ({ light }: ViewTile): string => gameObjectOf(light)?.name ?? '';
 
-/** Name of a tile, with its light's. */
+/** Full name of a tile, with the name of its light. */
 function tileName(tile: ViewTile): string {
   const { label, number, count, near, far } = tile;
   const text = t(label, { number, count, near: metres(near), far: metres(far) });
@@ -29,7 +29,7 @@ function tileName(tile: ViewTile): string {
   return name ? `${name}: ${text}` : text;
 }
 
-/** Text of a tile itself: its light's name at the first face, the number of a slice, or what it holds. */
+/** Label inside a tile: its light's name at the first face, the number of a slice, or its content. */
 function shortName(tile: ViewTile): string {
   if (tile.light) return tile.number === 1 ? lightName(tile) : '';
   return tile.count > 1 ? String(tile.number) : t(tile.label);
@@ -37,7 +37,7 @@ function shortName(tile: ViewTile): string {
 
 const viewIn = (viewport: Viewport, { shading }: ViewPane): View => (viewOf(shading) ?? viewport.view) as View;
 
-/** All that the overlay shows, as one text, by which a change is seen. */
+/** Everything that the overlay shows, as one text that is compared to detect changes. */
 const textOf = (viewport: Viewport): string =>
   JSON.stringify(
     viewport.panes.list.map((pane) => [
@@ -48,7 +48,7 @@ const textOf = (viewport: Viewport): string =>
     ]),
   );
 
-/** Legend of debug views, in each view of the viewport: scales, names of tiles, and how a buffer that is not there is made. */
+/** Legend of debug views, in each pane: scales, names of tiles, and the step that creates a missing buffer. */
 export function ViewOverlay(): ReactNode {
   const { viewport } = useEditor();
   useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));
@@ -71,7 +71,7 @@ export function ViewOverlay(): ReactNode {
   });
 }
 
-/** Sentence on a buffer that the frame does not have, and a button that makes it. */
+/** Sentence on a buffer that the frame does not have, and a button that creates it. */
 function Lacking({ view, problem }: { readonly view: View; readonly problem: string }): ReactNode {
   const mend = viewMend(useEditor(), view);
   return (
@@ -86,7 +86,7 @@ function Lacking({ view, problem }: { readonly view: View; readonly problem: str
   );
 }
 
-/** Names of a view's tiles, and what the view shows; the tile under the pointer is named in full. */
+/** Names of a view's tiles, and the meaning of the view; the tile under the pointer is named in full. */
 function BufferLegend({ pane, info }: { readonly pane: ViewPane; readonly info: ViewInfo }): ReactNode {
   const { viewport } = useEditor();
   const [pointer, setPointer] = useState<readonly [number, number] | null>(null);

@@ -4,14 +4,14 @@ const COLOURS = ['#5f9df5', '#ffa044', '#7cc35a', '#d79be8', '#f0696f', '#4fc4c4
 
 const known = new Map<string, string>();
 
-/** Colour of a pass in the graph, kept as long as the page is open. */
+/** Colour of a pass in the graph, the same until the page is closed. */
 export function passColour(name: string): string {
   let colour = known.get(name);
   if (!colour) known.set(name, (colour = COLOURS[known.size % COLOURS.length]));
   return colour;
 }
 
-/** Possible maxima of the graph's axis (ms). */
+/** Possible ends of the graph's axis (ms). */
 const TOPS = [0.5, 1, 2, 4, 8, 16.7, 33.3, 66.7, 133, 267, 533, 1067, 2133, 4267];
 
 /** Draws the stacked times of the passes, the last frame at the right. */

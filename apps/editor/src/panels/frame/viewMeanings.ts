@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import type { View } from '@farol/renderer';
 
-/** Sentences on what the views of buffers show. */
+/** Explanations of the debug views that show buffers, in whole sentences. */
 export const viewMeanings: { readonly [Name in View]?: () => string } = {
   'ambient-occlusion': () => t('Share of the sky that is open over each pixel: white is all of it.'),
   motion: () => t('Way of each pixel since the last frame: colour is direction, brightness length.'),

@@ -27,7 +27,7 @@ import { useObjectTree } from './useObjectTree';
 /** Height of a row (CSS pixels), larger for fingers. */
 const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 24;
 
-/** Text for screen readers: the place of objects that are moved by keys, else how to begin. */
+/** Text for screen readers: the target of objects that are moved by keys, or else how to begin moving them. */
 const moveText: ComponentProps<typeof AssistiveTreeDescription>['getLabel'] = (drag) => {
   const target = drag?.dragTarget;
   if (!target) return `${t('Ctrl+Shift+D in the tree')}: ${t('Move objects by the arrow keys; Enter: put them there')}`;
@@ -147,7 +147,7 @@ export function HierarchyPanel(): ReactNode {
             })}
             <div className="drag-line" style={tree.getDragLineStyle()} />
           </div>
-          {query.trim() !== '' && rows.length === 0 && <p className="menu-empty">{t('Nothing of that name.')}</p>}
+          {query.trim() !== '' && rows.length === 0 && <p className="menu-empty">{t('Nothing matches the search.')}</p>}
         </ContextMenu.Trigger>
         <ContextMenu.Portal>
           <ContextMenu.Positioner className="positioner">

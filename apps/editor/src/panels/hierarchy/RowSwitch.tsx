@@ -5,7 +5,7 @@ import type { IconName } from '../../style/iconPaths';
 interface RowSwitchProps {
   readonly name: string;
   readonly isOn: boolean;
-  /** Whether the state is inherited from an object above. */
+  /** Whether an ancestor sets the state. */
   readonly isInherited: boolean;
   /** Label when off, label when on, and the key that toggles. */
   readonly words: readonly [string, string, string];

@@ -114,7 +114,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     document.selection.toggle(item.getId());
   };
 
-  /** A key that selects all that the search lists. */
+  /** A key that selects all objects found by the search. */
   const selectFound = (hotkey: string): ReturnType<typeof rowKey> => ({
     hotkey,
     canRepeat: false,
@@ -153,9 +153,9 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
       if (object && name.trim()) editor.commands.run(renameObject(object, name.trim()));
     },
     hotkeys: {
-      // F2 is an action of the editor, available with any focus
+      // F2 is an action of the editor, available with focus anywhere
       renameItem: { hotkey: 'F2', isEnabled: () => false, handler: () => {} },
-      // not the tree's keys: the field's own handler ignores keys of input methods
+      // handled by the field, which ignores Enter while an input method composes text
       completeRenaming: { hotkey: 'Enter', isEnabled: () => false, handler: () => {} },
       abortRenaming: { hotkey: 'Escape', isEnabled: () => false, handler: () => {} },
       // without a search Ctrl+A is an action of the editor: it selects everything, folded or not
@@ -184,7 +184,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
   useEffect(() => tree.rebuildTree(), [tree, structure, expandedItems, query]);
   useEffect(() => document.opened.subscribe(() => setExpandedItems([])), [document]);
 
-  // scrolls to objects selected elsewhere, as in the viewport or by an undo
+  // scrolls to objects selected elsewhere, as in the viewport or by undo
   const primary = document.selection.primary;
   useEffect(() => {
     const above: string[] = [];

@@ -5,7 +5,7 @@ import { useEffect, useRef } from 'react';
 const isAsked = (tree: TreeInstance<string>): { rowFocus?: boolean } =>
   tree.getDataRef<{ rowFocus?: boolean }>().current;
 
-/** Focuses the row of the tree's focused item, or the first row when that item is gone. */
+/** Focuses the row of the tree's focused item, or the first row when that item no longer exists. */
 function focusRow(tree: TreeInstance<string>): void {
   if (tree.getItems().length === 0) return;
   if (tree.getFocusedItem().getItemMeta().index < 0) tree.getItems()[0].setFocused();
@@ -15,8 +15,8 @@ function focusRow(tree: TreeInstance<string>): void {
 }
 
 /**
- * Focuses the row of the tree's focused item at once, or as soon as it is rendered. The library's own feature waits by
- * timers, and takes the first row when rendering takes long.
+ * Focuses the row of the tree's focused item at once, or as soon as it is rendered. The library's own feature uses
+ * timers, and focuses the first row when rendering takes long.
  */
 export const rowFocusFeature: FeatureImplementation<string> = {
   key: 'row-focus',
@@ -36,7 +36,7 @@ export function useRowFocus(tree: TreeInstance<string>): void {
       isInside.current = event.target instanceof Element && event.target.closest('[role="tree"]') !== null;
       isAsked(tree).rowFocus = false;
     };
-    // a click on something that takes no focus leaves the tree too
+    // a click on an element that cannot be focused leaves the tree too
     const pressed = (event: PointerEvent): void => {
       isInside.current &&= event.target instanceof Element && event.target.closest('.hierarchy, .popup') !== null;
     };

@@ -3,7 +3,7 @@ import { type ReactNode, useEffect, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './history.css';
 
-/** The steps of the history, oldest first, with undone ones; a click goes to a step. */
+/** The steps of the history, oldest first, including undone ones; a click goes to a step. */
 export function HistoryPanel(): ReactNode {
   const { commands } = useEditor();
   useSignal(commands.changed);

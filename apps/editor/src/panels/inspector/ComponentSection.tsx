@@ -25,8 +25,8 @@ const LateSunBar = lateComponent(async () => (await import('./sun/SunBar')).SunB
 
 /**
  * A component of the selected objects: its fields, whether it is enabled, and its menu.
- * @param props.components - read once: the React key must change with them, so that an edit in progress keeps its
- *   owners
+ * @param props.components - read once, so that an edit in progress keeps its owners; the React key must change with
+ *   them
  */
 export function ComponentSection(props: { components: readonly Component[] }): ReactNode {
   const [components] = useState(props.components);

@@ -11,8 +11,8 @@ import { SharedValues } from './SharedValues';
 import { useLiveTexts } from './useLiveTexts';
 
 /**
- * Group of the material that an object makes of its own fields: folded, since materials are edited as assets, unless the last step
- * made the object, whose colour is what comes next.
+ * Group of the fields of an object's own material. Folded, since materials are edited as assets, unless the last step
+ * added the object: its colour is likely edited next.
  */
 const OWN_MATERIAL = 'Own material';
 
@@ -23,7 +23,7 @@ function choicesOf(owner: FieldOwner, field: Field): string | null {
   return Array.isArray(list) ? list.join('\n') : '';
 }
 
-/** Field to show for all owners. When their units differ (lights of several types), the unit is left out. */
+/** Field to show for all owners, without its unit when units differ (lights of several types). */
 function shownField(owners: readonly FieldOwner[], name: string): Field {
   const [first, ...others] = owners.map((owner) =>
     variantOfField(owner.fields[name], (other) => owner.getAuthored(other)),
@@ -46,7 +46,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   useSignal(document.previewed);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
-  // uniforms of a surface become fields, and change with its text
+  // uniforms of a surface are fields, and change with its text
   useSignal(document.assetsChanged);
   const rows = (names ?? Object.keys(owner.fields))
     .filter((name) => owners.every(({ fields }) => Object.hasOwn(fields, name)))
@@ -74,7 +74,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   return inGroups(owners, rows, isNew(owner, commands.last));
 }
 
-/** Whether a command made the object of a component. */
+/** Whether a command added the object of a component. */
 function isNew(owner: FieldOwner, made: Command | null): boolean {
   const id = owner instanceof Component ? owner.gameObject.id : '';
   return made?.selection?.done.includes(id) === true && !made.selection.undone.includes(id);
@@ -82,7 +82,7 @@ function isNew(owner: FieldOwner, made: Command | null): boolean {
 
 /**
  * Puts the fields of each group below its title, after fields without a group; a group at its defaults is folded.
- * @param isMade - whether the owners were just made
+ * @param isMade - whether the owners were just added
  */
 function inGroups(owners: readonly FieldOwner[], rows: readonly ReactElement[], isMade: boolean): ReactNode {
   const [owner] = owners;

@@ -22,7 +22,7 @@ interface FieldRowProps {
   readonly parts: string;
   /** Whether all owners have the default value. */
   readonly isDefault: boolean;
-  /** Elements that show simulated values, by field; the row adds its own. */
+  /** Elements that show simulated values, by field; each row adds its own. */
   readonly places: Map<string, HTMLElement>;
   /** Choices of a text field, one per line; null when it takes any text. */
   readonly choices: string | null;
@@ -36,7 +36,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
     () => new FieldGesture(editor.commands, owners, name, () => ownersName(owners)),
     [editor, owners, name],
   );
-  // each kind has its editor, as the table's type ensures; a union cannot express that
+  // each kind has its own editor, as the table's type ensures; TypeScript cannot infer that from a union
   const Editor = (field.kind === 'number' && field.input
     ? numberEditors[field.input]
     : fieldEditors[field.kind]) as unknown as ComponentType<OwnerFieldProps<Field>>;

@@ -21,7 +21,7 @@ export function InspectorPanel(): ReactNode {
   useSignal(search.changed);
   const { text: filter } = search;
   const words = useMemo(() => wordsOfFilter(filter), [filter]);
-  // deferred, so that walking through the tree with a held key does not wait for the inspector
+  // deferred, so that moving through the tree with a held key does not wait for the inspector
   const ids = useDeferredValue(document.selection.ids);
 
   const asset = document.assetSelection.primary;
@@ -58,7 +58,7 @@ export function InspectorPanel(): ReactNode {
       onPointerOver={show}
       onFocus={show}
       onBlur={() => setHelp('')}
-      // touch: the browser sends pointerleave after each tap
+      // on touch screens the browser sends pointerleave after each tap
       onPointerLeave={({ pointerType }) => pointerType !== 'touch' && setHelp('')}
     >
       <header className="panel-header">
@@ -85,7 +85,7 @@ export function InspectorPanel(): ReactNode {
         data-filtered={words.length > 0}
       >
         <FieldFilter value={words}>{content}</FieldFilter>
-        <p className="inspector-none">{t('No field here is called that.')}</p>
+        <p className="inspector-none">{t('No field matches the search.')}</p>
       </div>
       <p className="inspector-help">{helpOf === subject ? help : ''}</p>
     </section>

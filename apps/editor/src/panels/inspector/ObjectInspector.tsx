@@ -34,7 +34,7 @@ const NEW_SCRIPT = 'new script…';
 const keys = new WeakMap<Component, number>();
 let count = 0;
 
-/** A number for each component, since another component with the same id may take its place. */
+/** Unique number of a component, since another component may later have the same id. */
 function keyOf(component: Component): number {
   let key = keys.get(component);
   if (key === undefined) keys.set(component, (key = count++));
@@ -42,8 +42,8 @@ function keyOf(component: Component): number {
 }
 
 /**
- * Types missing from the Add menu: every object has a Transform; Animator is only read from older files, Animation
- * replaces it.
+ * Types left out of the Add menu: every object has a Transform; Animator exists for older files, and is replaced by
+ * Animation.
  */
 const notAdded: ReadonlySet<string> = new Set(['Transform', 'Animator']);
 

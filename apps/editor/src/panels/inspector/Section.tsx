@@ -17,14 +17,17 @@ interface SectionProps {
   readonly children: ReactNode;
 }
 
-export function Section(props: SectionProps): ReactNode {
-  const { id, title, help, icon, isFoldedAtFirst = false, controls, children } = props;
+/** Whether a part is folded, which is remembered, and a function that folds or unfolds it. */
+export function useFold(id: string, isFoldedAtFirst: boolean): [isFolded: boolean, fold: () => void] {
   const { preferences } = useEditor();
   const isFiltering = useIsFiltering();
   const isFolded = usePreferences(({ folded }) => folded[id] ?? isFoldedAtFirst) && !isFiltering;
-  const fold = (): void => {
-    preferences.setState((before) => ({ folded: { ...before.folded, [id]: !isFolded } }));
-  };
+  return [isFolded, () => preferences.setState(({ folded }) => ({ folded: { ...folded, [id]: !isFolded } }))];
+}
+
+export function Section(props: SectionProps): ReactNode {
+  const { id, title, help, icon, isFoldedAtFirst = false, controls, children } = props;
+  const [isFolded, fold] = useFold(id, isFoldedAtFirst);
   return (
     <section className="section" aria-label={title}>
       <header className="section-header">

@@ -2,7 +2,7 @@ import { type SharedValue, sharedValue } from '@farol/editing';
 import type { FieldOwner } from '@farol/engine/fields';
 import type { EditorDocument } from '../../model/EditorDocument';
 
-/** Common values of the fields of several owners: an edit of one field reads that one again, not all of each owner. */
+/** Common values of the fields of several owners, cached: an edit of one field reads only that field again. */
 export class SharedValues {
   private readonly known = new Map<string, SharedValue>();
   private structure = 0;
@@ -15,10 +15,10 @@ export class SharedValues {
   of(name: string): SharedValue {
     const { owners, known } = this;
     const { commands, structure } = this.document;
-    // fields of objects that were out of the scene for a moment change untold
+    // fields of objects that were temporarily out of the scene may have changed without a signal
     if (structure.revision !== this.structure) known.clear();
     this.structure = structure.revision;
-    // a recorded clip has other values at other times; a view changes with the field that it is a part of
+    // recorded values depend on the time; a view of another field changes with that field
     if (commands.recorder || owners[0].fields[name].viewOf) known.delete(name);
     const value = known.get(name) ?? sharedValue(owners.map((owner) => commands.valueOf(owner, name)));
     if (!commands.recorder) known.set(name, value);

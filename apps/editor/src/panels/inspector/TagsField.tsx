@@ -8,7 +8,7 @@ import { TextInput } from '../../ui/TextInput';
 
 const textOf = ({ tags }: GameObject): string => tags.join(', ');
 
-/** Tags of the selected objects: words with commas between them. */
+/** Tags of the selected objects: words separated by commas. */
 export function TagsField({ objects }: { objects: readonly GameObject[] }): ReactNode {
   const { commands } = useEditor();
   const [first] = objects;

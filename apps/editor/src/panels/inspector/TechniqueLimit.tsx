@@ -7,7 +7,7 @@ import { useOwnersRevision } from '../../ui/useOwnersRevision';
 
 type Techniques = Parameters<typeof techniqueAbilities>[0];
 
-/** A line for an effect that is left out by the technique of the scene. */
+/** A line for an effect that the scene's technique leaves out. */
 function leftOut({ label, needs = 'depth' }: EffectEntry, techniques: Techniques): string {
   const able = Object.entries(techniques).filter(([name]) => techniqueAbilities(techniques, name)[needs]);
   const words = { effect: t(label).toLowerCase(), names: able.map(([, each]) => t(each.label)).join(', ') };
@@ -16,7 +16,7 @@ function leftOut({ label, needs = 'depth' }: EffectEntry, techniques: Techniques
     : t('This technique has no G-buffer, so {effect} is left out. {names} have it.', words);
 }
 
-/** Features that the scene uses but its technique does not support, a line each. */
+/** Features that the scene uses but its technique does not support, one per line. */
 function linesOf(settings: SceneSettings, techniques: Techniques, hasDecals: boolean): string[] {
   const abilities = techniqueAbilities(techniques, settings.technique);
   const lines = Object.values<EffectEntry>(effects)

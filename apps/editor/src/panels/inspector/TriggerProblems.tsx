@@ -4,7 +4,7 @@ import type { ReactNode } from 'react';
 import { triggerProblems } from '../../model/triggerProblems';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 
-/** Warns of triggers that can never fire, each with a button that mends it. */
+/** Warnings about triggers that can never fire, each with a button that solves the problem. */
 export function TriggerProblems({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

@@ -1,6 +1,6 @@
 import { type IconName, iconPaths } from '../../style/iconPaths';
 
-/** Icon of a component type; a plain one where there is none of its name. */
+/** Icon of a component type; a plain one for an unknown name. */
 export const componentIcon = ({ icon }: { readonly icon: string }): IconName =>
   Object.hasOwn(iconPaths, icon) ? (icon as IconName) : 'object';
 

@@ -1,7 +1,7 @@
 import { Signal } from '@farol/editing';
 import type { EditorApi } from '../../api/EditorApi';
 
-/** Text by which an editor's inspector searches its fields; '' shows all. It ends with the scene. */
+/** Search text of an editor's inspector; '' shows all fields. Cleared when another scene is opened. */
 export class FieldSearch {
   readonly changed = new Signal();
   private words = '';
@@ -17,7 +17,7 @@ export class FieldSearch {
     return this.words;
   }
 
-  /** @param endsWithSelection - for a field of what is selected, which another selection lacks */
+  /** Sets the text. @param endsWithSelection - clears it when the selection changes, for fields that others may lack */
   find(text: string, endsWithSelection = false): void {
     this.words = text;
     this.endsWithSelection = endsWithSelection;

@@ -32,7 +32,7 @@ export function useLiveTexts(owner: FieldOwner | null): Map<string, HTMLElement>
           state === 'stopped' || sameValue(value, owner.getAuthored(name))
             ? ''
             : t('now {value}', { value: liveText(value, owner.fields[name].kind === 'euler') });
-        // only the text node changes: replacing elements would recalculate styles
+        // only the text node changes, since replacing elements would recalculate styles
         const node = place.firstChild as Text | null;
         if ((node?.data ?? '') === text) continue;
         if (node) node.data = text;

@@ -8,11 +8,11 @@ import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
 import { Button } from '../../ui/Button';
 
-/** An action with its keys, which can be removed; others are added by pressing them. */
+/** An action with its keys, which can be removed; pressing keys adds others. */
 export function KeyRow({ action, label }: { action: Action; label: string }): ReactNode {
   const editor = useEditor();
   const [isListening, setListening] = useState(false);
-  /** A pressed key that another action has already; null for none. */
+  /** A pressed combination that another action already has; null for none. */
   const [asked, setAsked] = useState<string | null>(null);
   const bindings = useKeyBindings();
   const keys = bindings.keysOf(action);

@@ -44,8 +44,8 @@ function matches({ label, tags }: LibraryItem, search: string): boolean {
 }
 
 /**
- * Card of an item: dragged into the scene by a mouse, or by a finger that has rested on it; added at the middle of the
- * view by a click, a tap or Enter.
+ * Card of an item: dragged into the scene by mouse, or by finger after a long press; added at the centre of the view by
+ * a click, a tap or Enter.
  */
 function LibraryCard({ item }: { readonly item: LibraryItem }): ReactNode {
   const editor = useEditor();
@@ -92,7 +92,7 @@ function LibraryCard({ item }: { readonly item: LibraryItem }): ReactNode {
   );
 }
 
-/** Prefabs that the user keeps, and those of the opened folder, with addresses of their pictures. */
+/** Prefabs in the user's library, and those of the opened folder, with URLs of their pictures. */
 function useOwnItems(): readonly LibraryItem[] {
   const [items, setItems] = useState<readonly LibraryItem[]>([]);
   useEffect(() => {
@@ -126,7 +126,7 @@ function useOwnItems(): readonly LibraryItem[] {
   return items;
 }
 
-/** Lamps, props, behaviour, skies and materials to drag into the scene, found by group, tags and a search. */
+/** Lamps, props, behaviour, skies and materials to drag into the scene, filtered by group, tags and a search. */
 export function LibraryPanel(): ReactNode {
   const [search, setSearch] = useState('');
   const [filter, setFilter] = useState<Filter>('all');
@@ -136,10 +136,10 @@ export function LibraryPanel(): ReactNode {
   const all = useMemo(() => [...libraryItems(), ...own], [own]);
   const inGroup = all.filter(({ group }) => filter === 'all' || group === filter);
   const tags = [...new Set(inGroup.flatMap((item) => item.tags))].toSorted((a, b) => a.localeCompare(b));
-  // a tag that the group lacks filters nothing
+  // a tag that the group lacks is ignored
   const tag = tags.includes(wanted) ? wanted : '';
   const items = inGroup.filter((item) => matches(item, search) && (tag === '' || item.tags.includes(tag)));
-  // under headings until something is looked for
+  // headings are shown unless the list is filtered
   const isWhole = filter === 'all' && tag === '' && search.trim() === '';
   const tagOptions = [{ value: '', label: t('Any tag') }, ...tags.map((value) => ({ value, label: value }))];
   const openFolder = async (): Promise<void> => {
@@ -165,7 +165,7 @@ export function LibraryPanel(): ReactNode {
         />
       </div>
       <div className="assets-body">
-        {items.length === 0 && <p className="assets-empty">{t('Nothing of that name.')}</p>}
+        {items.length === 0 && <p className="assets-empty">{t('Nothing matches the search.')}</p>}
         <ul className="assets-grid library-grid">
           {items.map((item, i) => (
             <Fragment key={item.id}>

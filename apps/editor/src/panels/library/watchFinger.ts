@@ -1,7 +1,7 @@
-/** Time (ms) that a finger rests on an element before it drags it; one that moves sooner scrolls. */
+/** Duration of a press (ms) before a finger drags an element; a finger that moves sooner scrolls. */
 const REST = 350;
 
-/** Way (CSS pixels) that a resting finger may move. */
+/** Distance (CSS pixels) that a pressing finger may move. */
 const SHAKE = 8;
 
 /** A point of the page (CSS pixels). */
@@ -11,9 +11,10 @@ interface Point {
 }
 
 /**
- * Lets a finger drag an element, which browsers do for mice alone: once it has rested, a copy of the element follows it.
- * @param drop - called with the place where the finger is lifted
- * @returns a function that ends it
+ * Lets a finger drag an element, which browsers support for mice only: after a long press a copy of the element follows
+ * the finger.
+ * @param drop - called with the point where the finger is lifted
+ * @returns a function that removes the listeners
  */
 export function watchFinger(element: HTMLElement, drop: (at: Point) => void): () => void {
   const end = new AbortController();
@@ -30,7 +31,7 @@ export function watchFinger(element: HTMLElement, drop: (at: Point) => void): ()
     copy.classList.add('library-dragged');
     copy.setAttribute('aria-hidden', 'true');
     copy.inert = true;
-    // within the editor, whose theme it has
+    // inside the editor, so that the copy has its theme
     (element.closest('.panel')?.parentElement ?? document.body).append(copy);
     follow(start);
   };
@@ -62,7 +63,7 @@ export function watchFinger(element: HTMLElement, drop: (at: Point) => void): ()
   });
   on('pointercancel', letGo);
   on('contextmenu', (event) => copy && event.preventDefault());
-  // a drag does not scroll
+  // prevents scrolling during a drag
   on('touchmove', (event) => copy && event.preventDefault(), { passive: false });
   return () => {
     letGo();

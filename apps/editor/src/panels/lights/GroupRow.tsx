@@ -32,7 +32,7 @@ const Count = ({ count }: { readonly count: number }): ReactNode => (
   </span>
 );
 
-/** Cells of a group: its switch, its lights' solo, name, master colour and master dimmer. */
+/** Cells of a group: its switch, solo of its lights, name, colour filter and dimmer. */
 export function GroupCells({ row, ...desk }: RowProps & { readonly row: LightRow & { kind: 'group' } }): ReactNode {
   const { editor, table, tabIndex } = desk;
   const { group, object } = row;

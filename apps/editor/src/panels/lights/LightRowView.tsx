@@ -22,7 +22,7 @@ import { GroupCells, RestCells } from './GroupRow';
 import { NumberCell } from './NumberCell';
 import { useRowEdit } from './useRowEdit';
 
-/** A colour that is being picked: the element that the picker stands at, and the component whose colour it is. */
+/** A colour that is being picked: the element that the picker opens beside, and the component that has the colour. */
 export interface ColourPick {
   readonly anchor: HTMLElement;
   readonly edited: LightSource | LightGroup;
@@ -32,7 +32,7 @@ export interface RowProps {
   readonly editor: EditorApi;
   readonly table: LightTable;
   readonly row: LightRow;
-  /** 0 in the row that the keyboard is at, else -1. */
+  /** 0 in the row that has the keyboard focus, else -1. */
   readonly tabIndex: number;
   readonly isSelected: boolean;
   onPick(pick: ColourPick): void;
@@ -108,7 +108,7 @@ export const LightRowView = memo(function LightRowView(props: LightRowViewProps)
 const isInactive = (row: LightRow): boolean =>
   row.kind === 'light' ? !row.source.isActive : row.kind === 'group' && !row.group.isActive;
 
-/** Gesture that edits a column of a light, in all selected ones when it is among them. */
+/** Gesture that edits a column of a light, or of all selected lights when it is one of them. */
 function columnGesture({ editor, table }: RowProps, source: LightSource, column: FieldColumn): FieldGesture {
   const owners = table.editedBy(source).filter((each) => columnFields[column](each) !== null);
   return new FieldGesture(
@@ -184,7 +184,7 @@ interface FieldCellProps extends RowProps {
   readonly isDimmed?: boolean;
 }
 
-/** A number of a light. Dragging its dimmer multiplies that of all selected rows; typing sets all to one value. */
+/** A light's number. Dragging its dimmer multiplies the values of all selected rows; typing sets all to one value. */
 function FieldCell({ row, column, label, isDimmed = false, ...desk }: FieldCellProps): ReactNode {
   const { editor, tabIndex } = desk;
   const { source } = row;

@@ -20,7 +20,7 @@ const isCoarse = matchMedia('(pointer: coarse)').matches;
 const ROW = isCoarse ? 40 : 26;
 const TITLES = isCoarse ? 40 : 26;
 
-/** Time between two parts of an estimate of the costs (ms). */
+/** Interval between calls that continue the estimate of costs (ms). */
 const MEASURE = 100;
 
 const idOf = (row: LightRow): string => `light-row-${row.id}`;
@@ -34,7 +34,7 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
   const { ids } = document.selection;
   const selected = useMemo(() => new Set(ids), [ids]);
   const grid = useRef<HTMLDivElement>(null);
-  /** Id of the row that the keyboard is at, and of the one where a range begins. */
+  /** Id of the row with the keyboard focus; `anchor` is the row where a range begins. */
   const [active, setActive] = useState<string | null>(null);
   const anchor = useRef<string | null>(null);
   const [pick, setPick] = useState<ColourPick | null>(null);
@@ -64,7 +64,7 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
           0,
           rows.findIndex(({ id }) => id === active),
         );
-  /** Selects a row, or the range from the row where it begins. */
+  /** Selects a row, or the range from its first row to this one. */
   const select = (index: number, extends_: boolean): void => {
     const row = rows.at(index);
     if (!row) return;
@@ -171,7 +171,7 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
 const objectIds = (rows: readonly LightRow[]): string[] =>
   rows.flatMap((row) => (row.kind === 'rest' ? [] : row.object.id));
 
-/** The colour of a row, by hand or by temperature; edits all selected rows when that is among them. */
+/** Picker for the colour of a row, by hand or by temperature; edits all selected rows when the row is one of them. */
 function Picker({ table, pick, onClose }: { table: LightTable; pick: ColourPick; onClose(): void }): ReactNode {
   const editor = useEditor();
   useSignal(table.changed);

@@ -12,13 +12,13 @@ import { SelectBox } from '../../ui/SelectBox';
 import { LightsGrid } from './LightsGrid';
 import './lights.css';
 
-/** Values of a filter that lets everything pass, and of lights without a group. */
+/** Values of the filters: all lights, and lights without a group. */
 const ALL = 'all';
 const NO_GROUP = 'none';
 
 const kinds = ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rectangle', 'disc', 'tube', 'particles'];
 
-/** The mixer: every light of the scene as a row, with groups that have a master. */
+/** Table of all lights of the scene, in groups with dimmers. */
 export function LightsPanel(): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

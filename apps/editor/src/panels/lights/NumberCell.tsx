@@ -11,7 +11,7 @@ interface NumberCellProps {
   readonly step: number;
   /** Accessible name, such as 'Intensity of Lamp'. */
   readonly label: string;
-  /** Maximum of the dimmer beside the number; 'own': relative to the value. No dimmer when absent. */
+  /** Maximum of the dimmer beside the number; 'own' computes it from the value. No dimmer when absent. */
   readonly dimmer?: number | 'own';
   readonly tabIndex: number;
   /** Previews a value that was dragged. @param start - value before the drag */
@@ -22,18 +22,18 @@ interface NumberCellProps {
   onDiscard(): void;
 }
 
-/** End of a dimmer's scale: the first of 1, 2, 5, 10, 20, … with room above the value. */
+/** Maximum of a dimmer: the first of 1, 2, 5, 10, 20, … that exceeds the value by a quarter. */
 function scaleOf(value: number): number {
   const wanted = Math.max(1, value * 1.25);
   const power = 10 ** Math.floor(Math.log10(wanted));
   return power * [1, 2, 5, 10].find((factor) => power * factor >= wanted)!;
 }
 
-/** A number with a dimmer to drag; becomes a field to type in when it is pressed. */
+/** A number beside a dimmer; a press turns the number into a text field. */
 export function NumberCell(props: NumberCellProps): ReactNode {
   const { value, unit, min, max, step, label, dimmer, tabIndex, onDim, onPreview, onCommit, onDiscard } = props;
   const [isTyped, setTyped] = useState(false);
-  /** End of the dimmer's scale and value before a drag; null while there is none. */
+  /** Maximum of the dimmer and value at the start of a drag; null when none is dragged. */
   const [held, hold] = useState<{ readonly end: number; readonly start: number } | null>(null);
   const cell = useRef<HTMLSpanElement>(null);
   useEffect(() => {
@@ -43,7 +43,7 @@ export function NumberCell(props: NumberCellProps): ReactNode {
   useEffect(() => {
     commit.current = onCommit;
   });
-  // a row that is scrolled away keeps what was typed
+  // typed text is committed when the row is scrolled out of view
   useEffect(() => () => commit.current(), []);
   const end = dimmer === 'own' ? (held?.end ?? scaleOf(value)) : dimmer;
   return (

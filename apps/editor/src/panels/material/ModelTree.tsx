@@ -6,7 +6,7 @@ import { Icon } from '../../ui/Icon';
 import type { IconName } from '../../style/iconPaths';
 import './material.css';
 
-/** Greatest number of a model's objects that are listed. */
+/** Maximum number of a model's objects that are listed. */
 const MOST = 200;
 
 /** Number of levels of the model's tree that are unfolded at first. */

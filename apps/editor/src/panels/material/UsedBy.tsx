@@ -6,14 +6,14 @@ import { instancesOf } from '../../model/prefabEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Button } from '../../ui/Button';
 
-/** Number of places listed; the rest is counted. */
+/** Maximum number of places listed; the others are counted. */
 const MOST = 50;
 
 /** Places that use an asset; clicking one selects its object. */
 export function UsedBy({ name }: { name: string }): ReactNode {
   const { document, commands } = useEditor();
   useSignal(commands.changed);
-  // the last command, since previews during a drag need no update
+  // updates after commands only, not after each preview of a drag
   const step = commands.last;
   const { scene } = document;
   const usages = useMemo(() => {

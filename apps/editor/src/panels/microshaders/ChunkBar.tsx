@@ -13,7 +13,7 @@ export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string):
   const isChanged = microShaders.isChanged(name);
   const stage = microShaders.registry.get(name)?.stage;
   const state = problem
-    ? t('Broken: the last good text is drawn')
+    ? t('Does not compile: the last valid text is used')
     : isOwn
       ? t('Of this scene')
       : isChanged

@@ -11,7 +11,7 @@ interface ChunkErrorsProps {
   readonly problem: MicroShaderProblemText;
 }
 
-/** Compiler messages by microshader and line; a click goes there. */
+/** Compiler messages by microshader and line; a click opens the place. */
 export function ChunkErrors({ name, shown, problem }: ChunkErrorsProps): ReactNode {
   const editor = useEditor();
   const { entries, message } = problem;

@@ -46,7 +46,8 @@ export function ChunkUses({ name, uses }: { name: string; uses: MicroShaderUses 
   );
 }
 
-function Chunks({ title, names }: { title: string; names: readonly string[] }): ReactNode {
+/** Microshaders to open, below a title; nothing for none. */
+export function Chunks({ title, names }: { title: string; names: readonly string[] }): ReactNode {
   const editor = useEditor();
   if (names.length === 0) return null;
   return (

@@ -15,7 +15,7 @@ export function SurfaceBar({ name }: { name: string }): ReactNode {
       <span className="chunk-tag">{t('surface')}</span>
       <span className={problem ? 'chunk-state broken' : 'chunk-state'} role="status">
         {problem && <Icon name="warning" size={12} />}
-        {problem ? t('Broken: the last good text is drawn') : t('Of this scene')}
+        {problem ? t('Does not compile: the last valid text is used') : t('Of this scene')}
       </span>
       <span className="panel-space" />
       {problem && (

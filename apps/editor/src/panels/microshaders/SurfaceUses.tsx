@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { usagesOf } from '../../model/assetUsages';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Chunks } from './ChunkUses';
 
 /** Uniforms of a surface, microshaders that it includes, and materials and objects that use it. */
 export function SurfaceUses({ name }: { name: string }): ReactNode {
@@ -16,20 +17,7 @@ export function SurfaceUses({ name }: { name: string }): ReactNode {
     <aside className="chunk-uses" aria-label={t('Uses of {name}', { name })}>
       <h3>{t('Uniforms')}</h3>
       <p>{surface?.uniforms.map((uniform) => `${uniform.name} (${uniform.type})`).join(', ') || t('None.')}</p>
-      {included.length > 0 && (
-        <>
-          <h3>{t('Needs')}</h3>
-          <ul>
-            {included.map((each) => (
-              <li key={each}>
-                <button type="button" onClick={() => editor.openMicroShader(each)}>
-                  {each}
-                </button>
-              </li>
-            ))}
-          </ul>
-        </>
-      )}
+      <Chunks title={t('Needs')} names={included} />
       <h3>{t('Used by')}</h3>
       {wearers.length === 0 && <p>{t('Nothing. Drag it from Assets onto an object.')}</p>}
       <ul>

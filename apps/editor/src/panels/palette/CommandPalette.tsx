@@ -13,7 +13,7 @@ import { LINES, objectItems, OBJECTS, type PaletteItem, paletteItems } from './p
 
 const focusNow = (input: HTMLInputElement | null): void => input?.focus();
 
-/** Palette of all actions, and objects of the scene, found by typing. */
+/** Palette of all actions, and of the scene's objects, searched by typing. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const [query, setQuery] = useState(editor.dialogs.typed);
@@ -35,7 +35,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const run = (item: PaletteItem | undefined): void => {
     if (!item) return;
     onClose();
-    // deferred, so that the focus is back at its former place when the command runs
+    // deferred, so that the focus has returned to its former element when the command runs
     requestAnimationFrame(() => editor.attempt(() => item.run()));
   };
   const keyDown = (event: KeyboardEvent): void => {
@@ -73,7 +73,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
             setChosen(0);
           }}
           onKeyDown={keyDown}
-          // in the commit that takes the field for what is typed ahead away: no key is lost between
+          // focused in the same commit that removes the field for text typed ahead, so that no key is lost
           ref={focusNow}
         />
       </div>
@@ -97,7 +97,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
           </li>
         ))}
       </ul>
-      {found.length === 0 && <p className="palette-empty">{t('Nothing of that name.')}</p>}
+      {found.length === 0 && <p className="palette-empty">{t('Nothing matches the search.')}</p>}
     </>
   );
 }

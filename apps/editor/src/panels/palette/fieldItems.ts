@@ -6,13 +6,13 @@ import { componentIcon, wordsOf } from '../inspector/componentIcons';
 import { fieldSearchOf } from '../inspector/fieldSearch';
 import type { PaletteItem } from './paletteItems';
 
-/** Fields that the inspector shows of an owner. */
+/** Fields of an owner that the inspector shows. */
 const shownFields = (owner: FieldOwner): [string, Field][] =>
   Object.entries(owner.fields).filter(
     ([name, { deprecated }]) => !deprecated && isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)),
   );
 
-/** A line for each field of some owner; choosing it shows the field in the inspector. */
+/** A line for each field of an owner; choosing a line shows the field in the inspector. */
 function itemsOf(editor: EditorApi, owner: FieldOwner, group: string, show: () => void): PaletteItem[] {
   return shownFields(owner).map(([name, field]) => {
     const label = labelOfField(name, field);

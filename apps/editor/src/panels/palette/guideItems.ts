@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import { guides } from '@farol/tools/guides';
 import type { PaletteItem } from './paletteItems';
 
-/** Guides of the site, in English; each opens in a window of its own. */
+/** Guides of the site, in English; each opens in a new window. */
 export const guideItems = (): PaletteItem[] =>
   Object.entries(guides).flatMap(([group, pages]) =>
     Object.entries(pages).map(([file, name]): PaletteItem => ({

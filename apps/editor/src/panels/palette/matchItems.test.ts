@@ -6,6 +6,7 @@ const items = [
   ['Duplicate', 'Edit'],
   ['Deferred', 'Technique'],
   ['Tiled deferred', 'Technique'],
+  ['Point lights', 'Samples'],
   ['Point light', 'Add'],
 ].map(([label, group]) => ({ label, group }));
 const found = (query: string): string[] => matchItems(items, query).map(({ label }) => label);
@@ -15,7 +16,8 @@ it('finds by the letters of a query, whole words first', () => {
   expect(found('def')).toEqual(['Deferred', 'Tiled deferred']);
   expect(found('tiled tech')).toEqual(['Tiled deferred']);
   expect(found('technique')).toEqual(['Deferred', 'Tiled deferred']);
-  expect(found('plight')).toEqual(['Point light']);
+  expect(found('plight')).toEqual(['Point light', 'Point lights']);
+  expect(found('point light')).toEqual(['Point light', 'Point lights']);
   expect(found('dupl')).toEqual(['Duplicate']);
   expect(found('xyz')).toEqual([]);
 });

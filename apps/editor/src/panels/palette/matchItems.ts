@@ -1,13 +1,13 @@
-/** An item that can be found by its label. */
+/** An item that is searched by its label. */
 export interface Findable {
   readonly label: string;
   /** Group shown with the item, such as 'Technique'. */
   readonly group: string;
-  /** Text, such as a help, that is searched for whole words; they rank below those of label and group. */
+  /** Text, such as a help text, in which whole words are searched; matches rank below those in label and group. */
   readonly help?: string;
 }
 
-/** Rank of a word that only the help of an item has. */
+/** Rank of a word that occurs only in an item's help. */
 const HELPED = 0.5;
 
 /** Rank of a text for a query whose letters it contains in order; 0 when it does not. */
@@ -35,7 +35,8 @@ export function matchItems<T extends Findable>(items: readonly T[], query: strin
       const text = `${item.label} ${item.group}`.toLowerCase();
       const help = item.help?.toLowerCase() ?? '';
       const scores = words.map((word) => score(text, word) || (word.length > 2 && help.includes(word) ? HELPED : 0));
-      return { item, sum: scores.includes(0) ? 0 : scores.reduce((a, b) => a + b, 0) };
+      const whole = words.join(' ') === item.label.toLowerCase() ? 1 : 0;
+      return { item, sum: scores.includes(0) ? 0 : scores.reduce((a, b) => a + b, whole) };
     })
     .filter(({ sum }) => sum > 0)
     .toSorted((a, b) => b.sum - a.sum)

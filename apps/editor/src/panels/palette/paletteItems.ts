@@ -45,10 +45,10 @@ export const groupOf = (id: string): string => {
   return groups()[first] ?? capital(first);
 };
 
-/** Maximum number of found objects that are listed; of more, none is. */
+/** Maximum number of objects that a search may find; when there are more, none is listed. */
 export const OBJECTS = 30;
 
-/** Runs an action that was searched for: one of a panel opens the panel, even when it is in front already. */
+/** Runs an action that was found: an action of a panel always opens the panel, even when it is in front already. */
 function runFound(editor: EditorApi, action: Action): unknown {
   const panel = /^panels\.show\.(.+)$/.exec(action.id)?.[1];
   return panel === undefined ? action.run(editor) : editor.layout.open(panel);

@@ -11,7 +11,7 @@ import { useKeyBindings } from '../../ui/useKeyBindings';
 import { XRButtons } from './XRButtons';
 import './playFrame.css';
 
-/** Frame round the viewport while the scene plays or is paused, with a note on what becomes of edits. */
+/** Frame around the viewport while the scene plays or is paused, with a note that Stop undoes edits. */
 export function PlayFrame(): ReactNode {
   const { viewport, document } = useEditor();
   const { simulation } = document;

@@ -9,7 +9,7 @@ const textOf = (reason: OffReason): string =>
   ({
     foreign: t('The scripts of this scene are off, since it comes from elsewhere. Run them only if you trust it.'),
     hung: t('Scripts are off: the page ended while they ran. Correct the one that does not end, then run them.'),
-    address: t('Scripts are off, as the address of the page says.'),
+    address: t('Scripts are off, by ?scripts=off in the address.'),
     framed: t(
       'Scripts stay off while another page shows the editor inside of it. Open the editor by itself to run them.',
     ),

@@ -6,7 +6,7 @@ import { useEditor } from '../../ui/EditorContext';
 
 const fetchXR = () => import('@farol/engine/xr');
 
-/** Buttons that show the playing scene in a headset; none where there is no headset. */
+/** Buttons that show the playing scene in a headset; nothing without a headset. */
 export function XRButtons(): ReactNode {
   const editor = useEditor();
   const [modes, setModes] = useState<readonly XRMode[]>([]);

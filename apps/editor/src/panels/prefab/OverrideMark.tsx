@@ -40,7 +40,7 @@ export function OverrideMark({ owners, name, label }: OverrideMarkProps): ReactN
         entries={() => [
           {
             label: t('Revert to prefab'),
-            help: t('It has {value}.', { value: textOf(override.base) }),
+            help: t('The prefab has {value}.', { value: textOf(override.base) }),
             icon: 'undo',
             run: () => editor.attempt(() => commands.run(revertField(scene, override, selection.ids))),
           },

@@ -3,10 +3,10 @@ import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import type { ScriptProblem } from './scriptProblems';
 
-/** Number of problems listed; the rest is counted. */
+/** Maximum number of problems listed; the others are counted. */
 const MOST = 50;
 
-/** Problems of a script by line; a click goes there. */
+/** Problems of a script by line; a click opens the line. */
 export function ProblemList({ name, list }: { name: string; list: readonly ScriptProblem[] }): ReactNode {
   const editor = useEditor();
   return (

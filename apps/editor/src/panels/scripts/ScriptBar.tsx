@@ -10,12 +10,12 @@ interface ScriptBarProps {
   readonly problems: number;
   /** Whether TypeScript's language service is ready. */
   readonly isReady: boolean;
-  /** Why the language service is unavailable; null when it is not. */
+  /** Why the language service is unavailable; null when it is available. */
   readonly failure: string | null;
 }
 
 function stateOf({ isBroken, problems, isReady, failure }: ScriptBarProps): string {
-  if (isBroken) return t('Cannot be read yet: the last good text runs');
+  if (isBroken) return t('Syntax error: the last valid text runs');
   if (problems > 0) return tCount(problems, '{count} error', '{count} errors');
   if (failure !== null) return t('No completion: {reason}', { reason: failure });
   return isReady ? '' : t('Completion is loading…');

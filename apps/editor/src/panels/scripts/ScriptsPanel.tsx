@@ -18,7 +18,7 @@ import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
 
 const known = new WeakMap<EditorApi, ScriptEditing>();
 
-/** Texts of an editor's scripts that are being edited. */
+/** The editing of an editor's scripts, with the texts being typed. */
 function useScriptEditing(): ScriptEditing {
   const editor = useEditor();
   let editing = known.get(editor);

@@ -20,7 +20,7 @@ export async function removeScript(editor: EditorApi, script: string): Promise<v
 /** Selects the objects that have a component of a script. @throws Error when there are none */
 function selectUsers({ document }: EditorApi, script: string): void {
   const ids = usagesOf(document.scene, script).flatMap(({ object }) => object ?? []);
-  if (ids.length === 0) throw new Error(t('No object uses it.'));
+  if (ids.length === 0) throw new Error(t('No object uses {name}.', { name: script }));
   document.selection.set([...new Set(ids)]);
 }
 

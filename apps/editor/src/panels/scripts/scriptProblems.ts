@@ -7,8 +7,8 @@ export type ScriptProblem = Pick<ScriptDiagnostic, 'message' | 'line' | 'severit
   Partial<Pick<ScriptDiagnostic, 'from' | 'to'>>;
 
 /**
- * Problems of a script: what it threw while the scene played, compile errors, and TypeScript's diagnostics. Duplicates
- * in a line are left out.
+ * Problems of a script: errors that it threw while the scene played, compile errors, and TypeScript's diagnostics.
+ * Duplicates in a line are left out.
  */
 export function problemsOf(
   name: string,
@@ -23,7 +23,7 @@ export function problemsOf(
     problems.push({ line, severity: 'error', message: t('{component} of {object} threw: {reason}', words) });
   }
   const error = scripts.errors.get(name);
-  // for syntax errors TypeScript's message is the better one
+  // for syntax errors only TypeScript's message is shown, which is clearer
   const isTold = found.some(({ kind, line }) => kind === 'syntax' || line === error?.line);
   if (error && !isTold) problems.push({ line: error.line, severity: 'error', message: error.problem });
   return [...problems, ...found];

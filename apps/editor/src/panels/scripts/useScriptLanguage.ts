@@ -24,7 +24,7 @@ export function useScriptLanguage(editing: ScriptEditing): ScriptLanguage {
 const none: readonly ScriptDiagnostic[] = [];
 
 /**
- * TypeScript's diagnostics for a script, updated soon after typing. @param texts - of all scripts, since they may
+ * TypeScript's diagnostics for a script, updated soon after typing. @param texts - texts of all scripts, since they may
  * import each other
  */
 export function useDiagnostics(

@@ -5,7 +5,7 @@ import { Icon } from '../../ui/Icon';
 import { usePoll } from '../../ui/usePoll';
 import './status.css';
 
-/** Readings of the statistics per second. */
+/** Updates of the statistics per second. */
 const RATE = 4;
 
 /** File and selection, messages about drafts, and statistics of the last frame. */

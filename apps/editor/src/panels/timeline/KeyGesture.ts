@@ -12,7 +12,7 @@ const valueOf =
   (before: FieldValue): FieldValue =>
     typeof update === 'function' ? update(before) : update;
 
-/** Edits times or values of the selected keys from fields: previews while dragging or typing, one step in the end. */
+/** Edits times or values of the selected keys from fields: previews while dragging or typing, then one step. */
 export class KeyGesture {
   private gesture: ClipGesture | null = null;
   private selected: KeySelection = new Set();
@@ -33,7 +33,7 @@ export class KeyGesture {
     );
   }
 
-  /** Keeps the last preview, or this value, as one step. */
+  /** Commits the last preview, or this value, as one step. */
   commit(update?: Update): void {
     if (update !== undefined) this.previewValues(update);
     const { last } = this.commands;

@@ -57,7 +57,7 @@ function TimeField({ view, times }: { view: TimelineView; times: readonly number
   );
 }
 
-/** The field that the selected keys belong to, when all are of similar fields; else null. */
+/** The field of the selected keys, when all of them animate similar fields; else null. */
 function fieldOf(view: TimelineView): { field: Field; row: TrackRow } | null {
   const { data, selection } = view.timeline;
   const tracks = new Set(selectedKeys(data, selection.keys).map(({ track }) => track));

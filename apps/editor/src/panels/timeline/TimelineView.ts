@@ -24,7 +24,7 @@ export interface Box {
 
 /** View state of the timeline: scales, scrolling, folded rows. Not part of the document. */
 export class TimelineView {
-  /** Emits when rows or the tools above them change. */
+  /** Emits when rows, or settings shown in the toolbar, change. */
   readonly changed = new Signal();
   /** Emits when the canvas must be redrawn. */
   readonly drawAsked = new Signal();
@@ -85,12 +85,12 @@ export class TimelineView {
     return this.middleValue + (HEADER + (this.height - HEADER) / 2 - y) / this.valueScale;
   }
 
-  /** Top of a row (CSS pixels of the canvas). */
+  /** Top of a row on the canvas (CSS pixels). */
   rowTop(index: number): number {
     return HEADER + index * this.rowHeight - this.scrollTop;
   }
 
-  /** Index of the row at a height; -1 for the header and below the last one. */
+  /** Index of the row at a vertical position (CSS pixels); -1 in the header and below the last row. */
   rowAt(y: number): number {
     if (y < HEADER) return -1;
     const index = Math.floor((y - HEADER + this.scrollTop) / this.rowHeight);

@@ -13,7 +13,7 @@ interface TrackLineProps {
   readonly view: TimelineView;
   readonly row: TimelineRow;
   readonly index: number;
-  /** Whether the row is the one reached by Tab. */
+  /** Whether the row can be reached by Tab. */
   readonly isCurrent: boolean;
   readonly isChosen: boolean;
   onFold(isOpen: boolean): void;

@@ -6,10 +6,10 @@ import { clipPlayer, playedClip } from '../../model/timeline/clipPlayer';
 import type { Timeline } from '../../model/timeline/Timeline';
 import { newClip } from './newClip';
 
-/** Frame rates offered in the menu; the clip's inspector takes any. */
+/** Frame rates in the menu; the clip's inspector accepts any. */
 const RATES = [12, 24, 25, 30, 60] as const;
 
-/** Menu of clips: chooses the one to edit, adds one, and changes the current one. */
+/** Menu of clips: chooses the clip to edit, adds one, and changes the current one. */
 export function clipEntries(editor: EditorApi, timeline: Timeline): MenuEntry[] {
   const { document, commands } = editor;
   const { clip, root } = timeline;

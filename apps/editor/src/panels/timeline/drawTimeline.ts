@@ -9,7 +9,7 @@ import { HEADER, RULER, SUMMARY, type TimelineView } from './TimelineView';
 /** Half of the width of a key (CSS pixels). */
 export const KEY = 5;
 
-/** Distance from the outer selected keys to the ends of the selection bar, by which they are scaled (CSS pixels). */
+/** Distance of the selection bar's ends, which scale the keys, from the first and last selected key (CSS pixels). */
 export const GRIP = 9;
 
 type Context = CanvasRenderingContext2D;
@@ -130,7 +130,7 @@ function drawEvents(context: Context, view: TimelineView, colours: TimelineColou
   });
 }
 
-/** The bar over the selected keys, whose ends scale them; null for fewer than two times. */
+/** The bar over the selected keys, whose ends scale them; null when all keys have the same time. */
 export function selectionBar(view: TimelineView): { readonly x0: number; readonly x1: number } | null {
   const { data, selection } = view.timeline;
   if (selection.keys.size < 2) return null;
@@ -168,7 +168,7 @@ function drawHeader(context: Context, view: TimelineView, colours: TimelineColou
   context.fillRect(0, RULER, width, 1);
 }
 
-/** Draws the lines of the ruler through the rows below it. */
+/** Draws the vertical lines of the ruler across the rows. */
 function drawGround(context: Context, view: TimelineView, colours: TimelineColours): void {
   const { timeline, width, height } = view;
   context.fillStyle = colours.panel;

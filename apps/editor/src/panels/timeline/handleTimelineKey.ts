@@ -28,7 +28,7 @@ export function frameSelected(view: TimelineView): void {
   else view.fit();
 }
 
-/** Selects the keys at the playhead, of the chosen rows or of all when none is chosen. */
+/** Selects the keys at the playhead, in the chosen rows, or in all when none is chosen. */
 function selectAtPlayhead(view: TimelineView): void {
   const { timeline } = view;
   const ids = tracksForKeys(view).flatMap((track) =>
@@ -58,7 +58,7 @@ export function pasteFromClipboard({ clipboard }: EditorApi, view: TimelineView)
 
 /**
  * Handles a key in the timeline. Fields, buttons and menus of the panel keep their own keys.
- * @returns whether the key was used, so that others must ignore it
+ * @returns whether the key was handled, so that other handlers must ignore it
  */
 export function handleTimelineKey(editor: EditorApi, view: TimelineView, event: KeyboardEvent): boolean {
   const { timeline } = view;

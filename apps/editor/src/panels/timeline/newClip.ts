@@ -4,7 +4,7 @@ import { addClip } from '../../model/timeline/clipEdits';
 import { clipPlayer, playerAbove } from '../../model/timeline/clipPlayer';
 import { timelineOf } from '../../model/timeline/timelineOf';
 
-/** Adds a clip for the selected object, or for the nearest object above that plays clips, and opens it. */
+/** Adds a clip for the selected object, or for its nearest ancestor that plays clips, and opens the clip. */
 export function newClip(editor: EditorApi): void {
   const { document, commands } = editor;
   const { scene } = document;

@@ -15,7 +15,7 @@ const LABEL = 56;
 
 const NICE = [1, 2, 5] as const;
 
-/** Upper bound of the number of marks, more than fit on any screen. */
+/** Maximum number of marks, more than fit on any screen. */
 const MOST_MARKS = 2000;
 
 /**
@@ -38,7 +38,7 @@ function niceAbove(least: number): number {
   }
 }
 
-/** @param scale - CSS pixels per second */
+/** Chooses a ruler's marks and labels for a scale. @param scale - CSS pixels per second */
 export function rulerSteps(scale: number, frameRate: number, unit: 'seconds' | 'frames'): RulerSteps {
   if (unit === 'frames') {
     const frames = Math.max(niceAbove(Math.max((LABEL * frameRate) / scale, 1)), 1);

@@ -19,7 +19,7 @@ export interface ShownCurve {
 
 const same = (value: number): number => value;
 
-/** Conversion to displayed units. Values of fields whose target is gone are shown unconverted. */
+/** Conversion to displayed units. Values of fields whose target no longer exists are not converted. */
 const displayOf = ({ field }: TrackRow): { toShown(value: number): number; fromShown(shown: number): number } =>
   field && field.kind !== 'colour' && field.kind !== 'boolean' && field.kind !== 'choice'
     ? numberDisplay(field)

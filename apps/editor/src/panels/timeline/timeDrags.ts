@@ -23,25 +23,25 @@ function toggled(selected: KeySelection, ids: readonly string[]): KeySelection {
   return next;
 }
 
-/** Selects pressed keys. Keys that are selected already stay so, since they may be dragged. */
+/** Selects pressed keys. When they are selected already, the selection is unchanged, since it may be dragged. */
 export function choose(timeline: Timeline, ids: readonly string[], event: PointerEvent): void {
   const { keys } = timeline.selection;
   if (addsToSelection(event)) timeline.select(toggled(keys, ids));
   else if (!ids.every((id) => keys.has(id))) timeline.select(new Set(ids));
 }
 
-/** Selects clicked keys alone, unless the click adds to the selection. */
+/** Selects only the clicked keys, unless the click adds to the selection. */
 export function chooseAlone(timeline: Timeline, ids: readonly string[], event: PointerEvent): void {
   if (!addsToSelection(event)) timeline.select(new Set(ids));
 }
 
-/** Time of a position (s, 0 or above), at a frame unless Alt is held. */
+/** Time at a position (s, 0 or above), snapped to a frame unless Alt is held. */
 export function timeAt(view: TimelineView, x: number, event: { readonly altKey: boolean }): number {
   const time = Math.max(view.time(x), 0);
   return event.altKey ? time : view.timeline.snap(time);
 }
 
-/** Whether a position on the ruler is the handle of the duration, rather than the playhead. */
+/** Whether a position on the ruler is on the handle of the duration, rather than on the playhead. */
 export function isAtEnd(view: TimelineView, x: number, reach: number): boolean {
   const { timeline } = view;
   const end = view.x(timeline.duration) + 3;
@@ -124,7 +124,7 @@ export function dragEvent(view: TimelineView, x: number, reach: number, event: P
   });
 }
 
-/** The keys whose marks are within a box; all rows' where it begins in the header. */
+/** The keys whose marks are within a box; keys of all rows when the box begins in the header. */
 export function keysInBox(view: TimelineView, { x0, y0, x1, y1 }: Box): string[] {
   const { timeline } = view;
   const [top, bottom] = [Math.min(y0, y1), Math.max(y0, y1)];

@@ -22,12 +22,12 @@ export interface TrackRow {
   readonly id: string;
   readonly label: string;
   readonly track: ClipTrack;
-  /** The component that the track animates; null when it is missing, or no object plays the clip. */
+  /** The component that the track animates; null when it does not exist, or no object plays the clip. */
   readonly target: Component | null;
   readonly field: Field | null;
   /** Why the track has no effect; null when it has, or no object plays the clip. */
   readonly problem: string | null;
-  /** Whether rows for its coordinates are shown; null for a track without coordinates. */
+  /** Whether rows for the track's coordinates are shown; null for a track without coordinates. */
   readonly isOpen: boolean | null;
 }
 
@@ -52,7 +52,7 @@ export type TimelineRow = EventsRow | GroupRow | TrackRow | ChannelRow;
 export interface RowFolds {
   readonly folded: ReadonlySet<string>;
   readonly unfolded: ReadonlySet<string>;
-  /** Whether rows for coordinates are possible. */
+  /** Whether the view shows rows for coordinates. */
   readonly hasChannels: boolean;
 }
 

@@ -39,7 +39,7 @@ function placeBeside(box: DOMRect | null, width: number, height: number): CSSPro
   return { left, top: innerHeight - height - GAP };
 }
 
-/** Tour from control to control, which can be used meanwhile. Escape or its button leaves it. */
+/** Tour that points at controls, which remain usable. Escape or its button ends it. */
 export function Tour(): ReactNode {
   const { tour } = useEditor();
   useSignal(tour.changed);

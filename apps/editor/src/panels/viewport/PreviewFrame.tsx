@@ -4,7 +4,7 @@ import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { previewPlace } from '../../viewport/previewPlace';
 
-/** Frame round the inset with the selected camera's view, which the viewport draws. */
+/** Frame around the inset with the selected camera's view, which the viewport draws. */
 export function PreviewFrame(): ReactNode {
   const { viewport } = useEditor();
   const camera = useSyncExternalStore(viewport.drawn.subscribe, () => viewport.previewed);

@@ -3,7 +3,7 @@ import { type ReactNode, useCallback, useEffect, useRef } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { usePoll } from '../../ui/usePoll';
 
-/** Number of frames in the graph, and the time at its top (ms). */
+/** Number of frames in the graph, and the time at its top edge (ms). */
 const FRAMES = 120;
 const TOP = 33.3;
 

@@ -4,7 +4,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { isTouchScreen } from '../../viewport/isTouchScreen';
 import type { Viewport } from '../../viewport/Viewport';
 
-/** Notes while playing: who receives keys, and whether the camera that is looked through can be moved. */
+/** Notes while playing: who receives keys, and whether the camera whose view is shown can be moved. */
 function textOf(viewport: Viewport): string {
   const { input, lookThrough, document } = viewport;
   if (isTouchScreen() && document.simulation.state !== 'stopped') return '';

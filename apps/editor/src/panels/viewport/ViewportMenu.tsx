@@ -9,7 +9,7 @@ import { LateItems } from '../../ui/MenuButton';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { MenuPress } from '../../viewport/MenuPress';
 
-/** Context menu of the object under the pointer; over nothing, the Add menu. */
+/** Context menu of the object under the pointer, or else the Add menu. */
 export function ViewportMenu(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

@@ -32,7 +32,7 @@ const FOLDED = 440;
 /** Display settings of the viewport. */
 const display = [showGrid, showIcons, showRanges, showColliders, continuous, showStatistics, quadView];
 
-/** @param id - id of a camera of the scene; anything else means the editor's own */
+/** Shows a camera's view. @param id - id of a Camera of the scene; any other text for the editor's camera */
 function lookThrough(viewport: Viewport, id: string): void {
   viewport.lookThrough = viewport.document.scene.componentsOf(Camera).find((camera) => camera.id === id) ?? null;
 }
@@ -44,7 +44,7 @@ export function ViewportToolbar(): ReactNode {
   const [ref, isNarrow] = useIsNarrow(FOLDED);
   const isSmall = useSyncExternalStore(layout.subscribe, layout.isSmall) || isNarrow;
   useSignal(viewport.changed);
-  // the label of the snapping button contains them
+  // rendered again with the increments, which the label of the snapping button contains
   usePreferences(({ snapSteps }) => snapSteps);
   useSignal(document.structure);
   const cameras = document.scene.componentsOf(Camera).map((camera) => ({

@@ -29,7 +29,7 @@ export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
   const isShown = usePreferences(({ showWelcome }) => showWelcome);
   useSignal(editor.fileChanged);
   const [isEmpty, setEmpty] = useState(false);
-  // sessions to recover may be found while the page is open
+  // sessions to recover may arrive while the page is open
   const offer = isEmpty ? null : request.recovery;
   const run = (action: Action): void => {
     onClose();

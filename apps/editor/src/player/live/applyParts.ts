@@ -14,7 +14,7 @@ import { fileOfParts, headKey, type LiveAsset, SCRIPTS } from '../../files/live/
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** Gives an owner values of a file, where a field that is not listed has its default. */
+/** Sets an owner's fields to the values of a file; fields that are not listed get their defaults. */
 function setValues(owner: FieldOwner, values: Values): void {
   const before = owner.changedValues();
   for (const name of Object.keys(before)) {
@@ -58,7 +58,7 @@ function setObject(gameObject: GameObject, data: FileObject, registry: Component
   setComponents(gameObject, components, registry);
 }
 
-/** @returns false when the scene must be made anew */
+/** Updates the assets. @returns false when the scene must be created anew */
 async function setAssets(
   scene: Scene,
   changes: ReadonlyMap<string, LiveAsset | null>,
@@ -99,19 +99,20 @@ function setHead(scene: Scene, key: string, value: unknown): void {
   }
 }
 
-/** Prefabs in the order of the file; their instances are changed by parts of their own. */
+/** Replaces the prefabs, in the order of the file; their instances are updated by separate parts. */
 function setPrefabs(scene: Scene, prefabs: readonly Prefab[]): void {
   for (const { id } of [...scene.prefabs.list]) scene.prefabs.delete(id);
   for (const prefab of prefabs) scene.prefabs.set(prefab);
 }
 
 /**
- * Brings edits into a scene that plays. Parts that say what is there already change nothing; views of editors and folders
- * of assets, which no picture shows, are left out.
+ * Applies edits to a scene that plays. Parts equal to the scene's state change nothing; stored views and asset folders
+ * are ignored, since no picture shows them.
  *
  * @param parts - all parts, with the changes
- * @returns false when the scene must be made anew: a loaded file was replaced, scripts were switched, or light was baked
- * @throws Error for parts that do not fit the scene, which must be made anew as well
+ * @returns false when the scene must be created anew: a loaded file was replaced, scripts were switched, or light was
+ *   baked
+ * @throws Error for parts that do not fit the scene, which must be created anew too
  */
 export async function applyParts(
   scene: Scene,
@@ -122,7 +123,7 @@ export async function applyParts(
 ): Promise<boolean> {
   const values = new Map(changes.map(([key, json]) => [key, json === null ? null : (JSON.parse(json) as unknown)]));
   const settings = values.get(headKey('settings')) as Values | undefined;
-  // the code of baked light is fetched when a file is read
+  // the code of baked light is fetched only while a scene file is read
   if (settings && (settings.bakedLight ?? null) !== scene.settings.getAuthored('bakedLight')) return false;
   if (values.has(SCRIPTS)) return false;
   const below = <T>(prefix: string): [string, T | null][] =>

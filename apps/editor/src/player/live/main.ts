@@ -1,10 +1,10 @@
-/** The page that looks at the scene of an editor elsewhere, and follows each edit: the player, fed by the dev server. */
+/** Page that shows an editor's scene on another device, with each edit: the player, connected to the dev server. */
 import { t } from '@farol/editing';
 import { App, AssetLibrary, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
 import { deserialize } from '@farol/engine/files';
 import { compileScript, runInPage, SceneScripts } from '@farol/engine/scripts';
 import { registerSceneAssets } from '@farol/scenes';
-import type { PartChange, PartKey } from '../../files/autosave/parts';
+import { changeParts, type PartKey } from '../../files/autosave/parts';
 import {
   changesBetween,
   fileOfParts,
@@ -22,7 +22,7 @@ import { applyParts } from './applyParts';
 /** Delays before a lost connection is tried again (ms); the last one repeats. */
 const RETRIES = [500, 1000, 2000, 5000];
 
-/** Id of the session to look at. */
+/** Id of the shared session. */
 const id = new URLSearchParams(location.search).get('look') ?? '';
 
 useLanguage();
@@ -31,18 +31,18 @@ const line = document.createElement('p');
 line.setAttribute('role', 'status');
 document.body.append(line);
 
-/** Parts that the scene on show was made of. */
+/** Parts of the displayed scene. */
 let shown: ReadonlyMap<PartKey, string> = new Map();
-/** Parts of the scene as last received; null until all of them came. */
+/** Parts of the scene as last received; null until all have arrived. */
 let told: Map<PartKey, string> | null = null;
-/** Parts of everything, while it comes. */
+/** Parts of the whole scene while they arrive; null otherwise. */
 let coming: Map<PartKey, string> | null = null;
 let registry = new ComponentRegistry();
 let scripts: SceneScripts | null = null;
 let isShown = false;
 let walks = false;
 let isBusy = false;
-/** Whether the scene is to begin anew, since the editor began to play. */
+/** Whether the scene is to restart, since the editor began to play. */
 let restarts = false;
 
 const blobs = new Map<string, Promise<Blob>>();
@@ -52,7 +52,8 @@ function fileOf(hash: string): Promise<Blob> {
   const fetched =
     blobs.get(hash) ??
     fetch(liveAsset(id, hash)).then((answer) => {
-      if (!answer.ok) throw new Error(`An asset could not be fetched (${answer.status}).`);
+      if (!answer.ok)
+        throw new Error(`An asset could not be fetched: the server answered ${answer.status}. Reload the page.`);
       return answer.blob();
     });
   blobs.set(hash, fetched);
@@ -60,7 +61,7 @@ function fileOf(hash: string): Promise<Blob> {
   return fetched;
 }
 
-/** Makes the scene of all its parts. */
+/** Creates the scene from all its parts. */
 async function makeScene(parts: ReadonlyMap<PartKey, string>): Promise<Scene> {
   const files = new Map<string, Blob>();
   for (const asset of partsBelow(parts, 'a/').values()) {
@@ -76,7 +77,7 @@ async function makeScene(parts: ReadonlyMap<PartKey, string>): Promise<Scene> {
     assets,
     registry,
     fileOf: (path) => files.get(path) ?? null,
-    // the editor has asked
+    // the editor has asked its user already
     mayFetch: () => true,
   });
   scene.onComponentError = (component, error) => console.warn(component.typeName, error);
@@ -88,11 +89,11 @@ async function makeScene(parts: ReadonlyMap<PartKey, string>): Promise<Scene> {
   return scene;
 }
 
-/** Shows a scene in place of the one before. */
+/** Displays a scene in place of the previous one. */
 function show(scene: Scene): void {
   const before = app.scene;
   const walked = isWalked(scene) || (scripts !== null && scene.activeCamera !== null);
-  // another way to move begins with another page
+  // a change between walking and orbiting needs a reload of the page
   if (isShown && walked !== walks) return location.reload();
   app.scene = scene;
   if (!isShown) showScene(app, scene, walked);
@@ -105,7 +106,7 @@ function show(scene: Scene): void {
   assets.dispose();
 }
 
-/** Brings the picture up to what was told, one step after another. */
+/** Updates the displayed scene to the received parts, one update after another. */
 async function follow(): Promise<void> {
   if (isBusy) return;
   isBusy = true;
@@ -130,20 +131,13 @@ async function follow(): Promise<void> {
   }
 }
 
-function take(parts: Map<PartKey, string>, changes: readonly PartChange[]): void {
-  for (const [key, json] of changes) {
-    if (json === null) parts.delete(key);
-    else parts.set(key, json);
-  }
-}
-
 function receive(message: LiveMessage | RelayMessage): void {
-  if (message.kind === 'away') line.textContent = t('The editor is away; its edits follow when it is back.');
+  if (message.kind === 'away') line.textContent = t('The editor is not connected; edits follow once it is.');
   else if (message.kind === 'play') restarts = isShown;
   else if (message.kind === 'whole') coming = new Map();
   else if (message.kind === 'parts') {
     const parts = coming ?? told;
-    if (parts) take(parts, message.parts);
+    if (parts) changeParts(parts, message.parts);
   } else if (message.kind === 'end' && coming) {
     told = coming;
     coming = null;
@@ -168,11 +162,11 @@ function connect(): void {
   });
 }
 
-// a page that slept may have missed edits, and a socket that looks open may be dead: everything is asked for anew
+// a suspended page may have missed edits, and its socket may be dead: the whole scene is requested again
 document.addEventListener('visibilitychange', () => {
   if (!document.hidden && socket?.readyState === WebSocket.OPEN) socket.send('{"kind":"again"}');
 });
-/** Says that nothing came yet, and asks for it. */
+/** Shows that the page waits for the editor, and connects. */
 function start(): void {
   line.textContent = t('Waiting for the editor…');
   connect();

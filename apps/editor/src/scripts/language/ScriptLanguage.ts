@@ -2,7 +2,7 @@ import { Signal } from '@farol/editing';
 import type { LanguageQuestions, ScriptChange } from './LanguageAnswers';
 import type { LanguageAnswer, LanguageRequest } from './languageWorker';
 
-/** Time that an unused worker is kept (ms), since it holds about 200 MB. */
+/** Time that an unused worker keeps running (ms); it takes about 200 MB. */
 const KEPT = 120_000;
 
 interface Waiting {
@@ -14,7 +14,7 @@ interface Waiting {
 export class ScriptLanguage {
   /** Emits when the worker is ready, and when it fails. */
   readonly changed = new Signal();
-  /** Why the service is unavailable; null when it is not. */
+  /** Why the service is unavailable; null when it is available. */
   failure: string | null = null;
   /** Whether the language service has answered its first query. */
   isReady = false;
@@ -25,10 +25,10 @@ export class ScriptLanguage {
   private ids = 0;
   private end: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param textsOf - gives all scripts as edited, by name */
+  /** @param textsOf - returns the texts of all scripts as edited, by name */
   constructor(private readonly textsOf: () => ReadonlyMap<string, string>) {}
 
-  /** Keeps the worker running. @returns a function that ends this use */
+  /** Keeps the worker running. @returns a function that releases it */
   use(): () => void {
     clearTimeout(this.end);
     return () => {
@@ -37,7 +37,7 @@ export class ScriptLanguage {
     };
   }
 
-  /** Queries the service for the present scripts. @throws Error (as a rejection) when the worker cannot be fetched, or fails */
+  /** Queries the service about scripts. @throws Error (as a rejection) when the worker cannot be fetched, or fails */
   async ask<Q extends keyof LanguageQuestions>(
     question: Q,
     ...values: Parameters<LanguageQuestions[Q]>

@@ -10,7 +10,7 @@ export interface ImportableName {
   readonly symbol: ts.Symbol;
 }
 
-/** Exports of modules, cached for each program. */
+/** Exports of `MODULES`, cached for each program. */
 export function importableNames(
   program: ts.Program,
   files: Readonly<Record<string, string>>,

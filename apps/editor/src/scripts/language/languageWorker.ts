@@ -1,7 +1,7 @@
 import type { LanguageQuestions, ScriptChange, ScriptDeclarations } from './LanguageAnswers';
 import { ScriptService } from './ScriptService';
 
-/** Message to the worker: first the URL of the declarations, then queries with the texts that changed before. */
+/** Message to the worker: first the URL of the declarations, then queries with the texts changed before. */
 export type LanguageRequest =
   | { readonly declarations: string }
   | {

@@ -5,27 +5,29 @@ import type { ScriptLanguage } from './ScriptLanguage';
 
 const setSignature = StateEffect.define<ScriptSignature | null>();
 
-/** Element with a function's signature; the parameter being written is highlighted. */
-function signatureElement({ before, parameters, after, active, help, parameterHelp }: ScriptSignature): HTMLElement {
+/** Element with a line of code, and its documentation below. */
+export function helpElement(code: readonly (string | Node)[], help: string): HTMLElement {
   const element = document.createElement('div');
   element.className = 'code-help';
   const line = document.createElement('code');
-  line.append(before);
-  parameters.forEach((text, i) => {
-    if (i > 0) line.append(', ');
-    const part = document.createElement(i === active ? 'strong' : 'span');
-    part.textContent = text;
-    line.append(part);
-  });
-  line.append(after);
+  line.append(...code);
   element.append(line);
-  const said = parameterHelp || help;
-  if (said !== '') {
+  if (help !== '') {
     const text = document.createElement('p');
-    text.textContent = said;
+    text.textContent = help;
     element.append(text);
   }
   return element;
+}
+
+/** Element with a function's signature; the parameter being written is highlighted. */
+function signatureElement({ before, parameters, after, active, help, parameterHelp }: ScriptSignature): HTMLElement {
+  const parts = parameters.flatMap((text, i) => {
+    const part = document.createElement(i === active ? 'strong' : 'span');
+    part.textContent = text;
+    return i > 0 ? [', ', part] : [part];
+  });
+  return helpElement([before, ...parts, after], parameterHelp || help);
 }
 
 function tooltipOf(signature: ScriptSignature): Tooltip {

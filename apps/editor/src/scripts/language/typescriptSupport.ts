@@ -20,9 +20,9 @@ import {
   tooltips,
 } from '@codemirror/view';
 import { importEdit } from './importable';
-import type { ScriptCompletion, ScriptHelp } from './LanguageAnswers';
+import type { ScriptCompletion } from './LanguageAnswers';
 import type { ScriptLanguage } from './ScriptLanguage';
-import { signatureHelp } from './signatureHelp';
+import { helpElement, signatureHelp } from './signatureHelp';
 
 /** CodeMirror's completion icons for TypeScript's kinds. */
 const kinds: Readonly<Record<string, string>> = {
@@ -43,21 +43,6 @@ const kinds: Readonly<Record<string, string>> = {
   type: 'type',
   var: 'variable',
 };
-
-/** Element with a type, and its documentation below. */
-function helpElement({ type, help }: Pick<ScriptHelp, 'type' | 'help'>): HTMLElement {
-  const element = document.createElement('div');
-  element.className = 'code-help';
-  const line = document.createElement('code');
-  line.textContent = type;
-  element.append(line);
-  if (help !== '') {
-    const text = document.createElement('p');
-    text.textContent = help;
-    element.append(text);
-  }
-  return element;
-}
 
 /** Inserts a completion, and the import that it needs. */
 function applyCompletion(view: EditorView, completion: ScriptCompletion, from: number, to: number): void {
@@ -85,7 +70,7 @@ function completionSource(language: ScriptLanguage, script: string) {
       boost: each.boost,
       info: async () => {
         const help = await language.ask('completionHelp', script, pos, each).catch(() => null);
-        return help && helpElement(help);
+        return help && helpElement([help.type], help.help);
       },
       apply: (view, _completion, from, to) => applyCompletion(view, each, from, to),
     }));
@@ -97,7 +82,7 @@ const hover = (language: ScriptLanguage, script: string): Extension =>
   hoverTooltip(async (_view, at): Promise<Tooltip | null> => {
     const help = await language.ask('help', script, at).catch(() => null);
     if (!help) return null;
-    return { pos: help.from, end: help.to, above: true, create: () => ({ dom: helpElement(help) }) };
+    return { pos: help.from, end: help.to, above: true, create: () => ({ dom: helpElement([help.type], help.help) }) };
   });
 
 /** Goes to the declaration of a name, by F12 or a click with Ctrl. @param open - opens a line of a script */

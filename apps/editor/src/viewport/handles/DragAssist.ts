@@ -7,7 +7,7 @@ import { DragSnap, type SnapTarget } from './DragSnap';
 import { TypedAmounts } from './TypedAmounts';
 import './handles.css';
 
-/** A drag of the gizmo's handles, as it begins. */
+/** State of a drag when a handle of the gizmo is grabbed. */
 export interface AssistedDrag {
   readonly scene: Scene;
   readonly camera: Camera;
@@ -128,7 +128,7 @@ export class DragAssist {
   }
 
   /**
-   * Moves the pivot to the snapped or typed position instead of where three's handles put it, and shows the amount.
+   * Moves the pivot to the snapped or typed position instead of as three's handles do, and shows the amount.
    * @returns whether the drag is a move that also rotates the pivot
    */
   apply(choices: DragChoices): boolean {
@@ -194,7 +194,7 @@ export class DragAssist {
       if (mode === 'translate') pivot.position.addScaledVector(this.axisOf(letter, drag), value);
       else if (mode === 'rotate')
         pivot.quaternion.premultiply(turn.setFromAxisAngle(this.axisOf(letter, drag), toRadians(value)));
-      // not 0: a scale of 0 could not be undone by dragging
+      // never 0: a scale of 0 cannot be changed by dragging any more
       else if (letter === '') pivot.scale.setScalar(value || 1);
       else pivot.scale.setComponent('XYZ'.indexOf(letter), value || 1);
     });
@@ -221,7 +221,7 @@ export class DragAssist {
       const isTyped = i === typed.at;
       return { axis, text: `${before}${text}${isTyped ? '▏' : ''}${after}`, isTyped, isWrong: typed.isWrong(i) };
     });
-    // the active view may be only a part of the readout's parent
+    // the readout's parent may contain other views
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     const whole = this.canvas.parentElement?.getBoundingClientRect() ?? { left, top };
     const x = left - whole.left + ((this.pointer.x + 1) / 2) * width;

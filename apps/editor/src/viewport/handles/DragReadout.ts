@@ -8,7 +8,7 @@ export interface ReadoutLine {
   readonly isWrong?: boolean;
 }
 
-/** Shows beside the pointer how far a drag has gone, and marks the vertex that it snaps to. */
+/** Shows the amount of a drag beside the pointer, and marks the vertex that it snaps to. */
 export class DragReadout {
   private readonly box = document.createElement('div');
   private readonly mark = document.createElement('div');
@@ -22,7 +22,7 @@ export class DragReadout {
     this.mark.setAttribute('aria-hidden', 'true');
   }
 
-  /** @param x - pointer position from the left edge of the canvas (CSS pixels) @param y - from its top edge */
+  /** @param x - pointer position from the canvas's left edge (CSS pixels) @param y - from its top edge */
   show(lines: readonly ReadoutLine[], x: number, y: number): void {
     const { box, canvas } = this;
     const key = JSON.stringify(lines);

@@ -8,7 +8,7 @@ import { nearestVertex } from './nearestVertex';
 /** Target that drags snap to. */
 export type SnapTarget = 'grid' | 'surface' | 'vertex';
 
-/** Number of vertices of dragged objects up to which all are compared; of more, only the corners of their box. */
+/** Maximum number of vertices of dragged objects that are compared; beyond it, only the corners of their box. */
 const MOST_VERTICES = 3000;
 /** Distance that objects without a mesh, such as lights, keep from a surface (m). */
 const CLEARANCE = 0.1;
@@ -54,7 +54,7 @@ export class DragSnap {
 
   /**
    * @param dragged - objects, in their poses before the drag
-   * @param pivot - in its pose before the drag; not below any of them
+   * @param pivot - object in its pose before the drag; no descendant of the dragged ones
    */
   constructor(
     private readonly scene: Scene,

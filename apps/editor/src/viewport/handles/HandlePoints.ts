@@ -16,10 +16,10 @@ import type { Bounds } from '../panes/paneSurface';
 import { DragReadout } from './DragReadout';
 import './handles.css';
 
-/** Distance to a handle (CSS pixels) at which a mouse grabs it, and a finger. */
+/** Distances to a handle (CSS pixels) within which a mouse grabs it, and a finger. */
 const REACH = 9;
 const FINGER_REACH = 18;
-/** Width of a handle (CSS pixels). */
+/** Width of a drawn handle (CSS pixels). */
 const SIZE = 9;
 /** Rounding of sizes and positions without snapping (m). */
 const FINE = 0.01;
@@ -31,12 +31,12 @@ export interface Handle {
   /** World position of the handle (m). */
   readonly place: Vector3;
   /**
-   * Edit for a drag to a ray; null when the ray gives no position.
+   * Edit for a drag to the pointer's ray; null when the ray determines no position.
    * @param step - rounding of sizes (m)
    * @param viewDirection - direction of the camera
    */
   drag(ray: Ray, step: number, viewDirection: Vector3): SetFields | null;
-  /** Text beside the pointer during a drag. Default none. */
+  /** Text beside the pointer during a drag; none when absent. */
   textOf?(edits: readonly FieldEdit[]): string;
 }
 
@@ -65,8 +65,8 @@ export function alongLine(origin: Vector3, direction: Vector3, ray: Ray): number
 }
 
 /**
- * Handles that size the selected object, when exactly one is selected. One drag is one step of history; Escape cancels
- * it.
+ * Handles that resize the selected object, when exactly one is selected. One drag is one step of history; Escape
+ * cancels it.
  */
 export class HandlePoints {
   readonly three: Points<BufferGeometry, PointsMaterial>;
@@ -99,7 +99,7 @@ export class HandlePoints {
     this.three.frustumCulled = false;
     this.readout = new DragReadout(host.canvas);
     const options = { signal: this.abort.signal, capture: true };
-    // registered before the listeners of camera, gizmo and picker
+    // registered before the listeners of camera, gizmo and picker, which then see the event later
     host.canvas.addEventListener('pointerdown', (event) => this.pointerDown(event), options);
     host.canvas.addEventListener('pointermove', (event) => this.pointerMove(event), options);
     host.canvas.addEventListener('pointerup', (event) => this.pointerUp(event), options);
@@ -122,7 +122,7 @@ export class HandlePoints {
     const { document } = this.host;
     const [object, second] = document.selectedObjects;
     const isHandled = object && !second && !object.lockedInHierarchy && document.simulation.state === 'stopped';
-    // during a drag the handles are kept, with their positions from its beginning
+    // during a drag the handles are kept, with their initial positions
     if (!this.dragged) this.handles = isHandled ? this.clearOf(object, this.handlesOf(object)) : [];
     const visibleHandles = this.dragged && isHandled ? this.handlesOf(object) : this.handles;
     this.three.visible = visibleHandles.length > 0;
@@ -202,7 +202,7 @@ export class HandlePoints {
     this.release();
   }
 
-  /** @returns whether a drag was in progress */
+  /** Cancels the drag. @returns whether one was in progress */
   private cancel(): boolean {
     if (!this.dragged) return false;
     this.gesture?.discard();

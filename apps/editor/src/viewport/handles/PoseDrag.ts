@@ -16,7 +16,7 @@ import type { EditorDocument } from '../../model/EditorDocument';
 
 const euler = new Euler();
 
-/** Pose from which a drag of an object begins: the authored one, whatever simulation did to it since; while a clip is recorded, the pose as it is seen. */
+/** Pose at the start of an object's drag: authored values, or, while a clip is recorded, the values at the playhead. */
 function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
   const parent = object3D.parent ?? object3D;
   parent.updateWorldMatrix(true, false);
@@ -29,17 +29,17 @@ function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
   };
 }
 
-/** Rounded as somebody would type it. @param before - the values before the drag */
+/** Edits that give an object a pose, rounded to few digits. @param before - values before the drag */
 function editsOf({ transform: owner }: GameObject, before: PoseValues, pose: Partial<Pose>): FieldEdit[] {
   return Object.entries(roundPose(before, pose)).map(([name, value]) => ({ owner, name, value }));
 }
 
-/** Objects that follow a proxy while it is dragged, from where they were when the drag began. */
+/** Moves objects with a proxy while it is dragged. */
 export class PoseDrag {
   private readonly before: readonly PoseValues[];
   private readonly transform: TransformDrag;
 
-  /** @param proxy - where it is now is where the drag begins */
+  /** @param proxy - object that is dragged, in its initial pose */
   constructor(
     { commands }: EditorDocument,
     private readonly objects: readonly GameObject[],
@@ -56,7 +56,7 @@ export class PoseDrag {
     );
   }
 
-  /** The step that brings the objects to where the proxy is now. @param options - see `TransformDrag.poses` */
+  /** The step that moves the objects along with the proxy's current pose. @param options - see `TransformDrag.poses` */
   command(mode: TransformMode, options: Parameters<TransformDrag['poses']>[1]): SetFields {
     const poses = this.transform.poses(mode, options);
     const edits = poses.flatMap((pose, i) => editsOf(this.objects[i], this.before[i], pose));

@@ -22,7 +22,7 @@ export class TypedAmounts {
     this.texts = Array.from({ length: axes }, () => '');
   }
 
-  /** Whether anything is typed, so that the pointer is ignored. */
+  /** Whether a number was typed, so that the pointer is ignored. */
   get isTyped(): boolean {
     return this.texts.some((text) => text !== '');
   }
@@ -50,7 +50,7 @@ export class TypedAmounts {
     return read.valueFor(0);
   }
 
-  /** Handles a key press. @returns whether the key was used */
+  /** Handles a key press. @returns whether the key was handled */
   press({ key, shiftKey }: TypedKey): boolean {
     if (key === 'Backspace') {
       if (!this.isTyped) return true;

@@ -1,7 +1,7 @@
 import { t, toDegrees } from '@farol/editing';
 import type { TransformMode } from '@farol/editing';
 
-/** Number of decimals that can be read while the value changes. */
+/** Number of decimals, few enough to be readable while the value changes. */
 const digitsOf = (value: number): number => (Math.abs(value) < 0.1 && Math.abs(value) >= 0.0005 ? 3 : 2);
 
 const signed = (value: number): string => {

@@ -39,9 +39,9 @@ function nearestCorner({ object, face, instanceId, point }: Intersection): Vecto
 }
 
 /**
- * The visible vertex closest to a ray on screen; else, of the first triangle hit, the corner closest to the hit. Null
- * when there is neither.
- * @param without - objects to ignore, with everything below them
+ * The visible vertex closest to a ray on screen, or else the closest corner of the first triangle hit. Null when there
+ * is neither.
+ * @param without - objects to ignore, with their descendants
  */
 export function nearestVertex(
   scene: Scene,

@@ -6,9 +6,9 @@ import { treeOf } from '../trees/meshTrees';
 
 /** Largest distance from the pointer to a vertex, as a share of the view's height: 14 of 700 pixels. */
 const REACH = 0.02;
-/** Number of vertices examined per ray, not counting meshes with trees; beyond it only meshes hit by the ray count. */
+/** Maximum number of vertices examined per ray, besides those in trees; beyond it, only in meshes that the ray hits. */
 const MOST_VERTICES = 300_000;
-/** Depth by which a vertex may lie behind the hit, relative to the distance. */
+/** Depth by which a vertex may lie behind the hit and still count as visible, relative to the distance. */
 const BEHIND = 1e-3;
 
 const sphere = new Sphere();
@@ -28,9 +28,9 @@ function heightOf(camera: Camera): { at: number; grows: boolean } {
 }
 
 /**
- * The vertex closest to a ray on screen, within reach of the pointer; null when there is none. Finds corners at
+ * The vertex closest to a ray on screen, at most `REACH` from the pointer; null when there is none. Finds corners at
  * silhouettes, which the ray itself misses.
- * @param without - objects to ignore, with everything below them
+ * @param without - objects to ignore, with their descendants
  * @param limit - distance along the ray to its first hit (m), behind which vertices are hidden; Infinity for no hit
  */
 export function vertexBesideRay(

@@ -5,14 +5,14 @@ import type { Painter } from '../Painter';
 import type { Viewport } from '../Viewport';
 import { IlluminancePicture } from './IlluminancePicture';
 
-/** Shows how many lux fall on each surface, by false colours. */
+/** Shows the illuminance of each surface in false colours. */
 export class IlluminancePainter implements Painter {
   readonly drawsHelpers = true;
   readonly isGrid = false;
   readonly isIlluminance = true;
   private readonly picture: IlluminancePicture;
 
-  /** @throws Error naming what the device lacks */
+  /** Prepares the picture. @throws Error naming the missing feature of the device */
   constructor(private readonly viewport: Viewport) {
     if (!drawsFloats(viewport.webgl))
       throw new Error(t('Light cannot be measured: this device cannot draw to float colour buffers.'));

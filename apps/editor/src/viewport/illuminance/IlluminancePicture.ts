@@ -28,8 +28,8 @@ const black = new Color(0);
 const size = new Vector2();
 
 /**
- * The light that falls on what is seen, as lux: the scene drawn in matt white by all its lights, with their shadows, profiles
- * and its surroundings. A white surface of luminance L (cd/m²) is lit by π L.
+ * Illuminance of the visible surfaces (lx): the scene drawn in matt white under all its lights, shadows, profiles and
+ * its environment. A white surface of luminance L (cd/m²) has an illuminance of π L.
  */
 export class IlluminancePicture {
   readonly farol: FarolRenderer;
@@ -52,7 +52,7 @@ export class IlluminancePicture {
   private readonly camera = new OrthographicCamera();
   private readonly endLost: () => void;
 
-  /** @param redraw - called when a frame is to be drawn, since code for it has come */
+  /** @param redraw - called when a frame must be drawn, since late code has arrived */
   constructor(
     private readonly webgl: WebGLRenderer,
     redraw: () => void,
@@ -64,7 +64,7 @@ export class IlluminancePicture {
     this.endLost = whenLost(webgl, () => this.target.dispose());
   }
 
-  /** Draws the scene in white to a target of the canvas's size. */
+  /** Draws the scene in white to a render target of the canvas's size. */
   draw(scene: Scene, camera: Camera): void {
     const { webgl, target, farol } = this;
     const { three } = scene;
@@ -85,13 +85,13 @@ export class IlluminancePicture {
     }
   }
 
-  /** Draws the false colours of what was drawn last to the bound target. */
+  /** Draws the false colours of the last picture to the bound target. */
   show(): void {
     this.webgl.render(this.scene, this.camera);
   }
 
   /**
-   * Illuminance (lx) at a point of the picture that was drawn last; null when the context is lost.
+   * Illuminance (lx) at a point of the last picture; null when the context is lost.
    * @param x - from the left edge, 0 to 1 @param y - from the lower edge, 0 to 1
    */
   async readAt(x: number, y: number): Promise<number | null> {

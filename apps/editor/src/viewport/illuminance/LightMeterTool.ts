@@ -7,27 +7,27 @@ import { PictureClicks } from '../PictureClicks';
 import type { Viewport } from '../Viewport';
 import { IlluminancePicture } from './IlluminancePicture';
 
-/** Light that falls on a surface at a point. */
+/** Light that falls on a surface at a point, as measured. */
 export interface LightReading {
   /** Illuminance (lx). */
   readonly illuminance: number;
-  /** Exposure value at ISO 100, as a meter of incident light shows it; -Infinity in the dark. */
+  /** Exposure value at ISO 100, as of an incident light meter; -Infinity in the dark. */
   readonly value: number;
 }
 
-/** Measures the light that falls where the picture is clicked: lux and exposure value. */
+/** Measures illuminance (lx) and exposure value at a clicked point of the picture. */
 export class LightMeterTool implements Tool {
   readonly id = 'light-meter';
   /** Emits when a point was measured. */
   readonly changed = new Signal();
-  /** The last reading; null before the first, and while nothing was hit. */
+  /** The last reading; null before the first one, and after a click that hit nothing. */
   reading: LightReading | null = null;
   private readonly picture: IlluminancePicture;
   private readonly readout: DragReadout;
   private readonly clicks: PictureClicks;
   private hasEnded = false;
 
-  /** @throws Error naming what the device lacks */
+  /** @throws Error naming the missing feature of the device */
   constructor(private readonly viewport: Viewport) {
     const { canvas, webgl } = viewport;
     if (!drawsFloats(webgl))
@@ -51,7 +51,7 @@ export class LightMeterTool implements Tool {
     const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
     const { scene } = viewport.document;
     picture.draw(scene, viewport.camera);
-    // lights of some kinds need code that is fetched now
+    // late code of some kinds of lights
     await picture.farol.ready;
     if (this.hasEnded) return;
     picture.draw(scene, viewport.camera);

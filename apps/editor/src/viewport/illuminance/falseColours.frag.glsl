@@ -1,4 +1,4 @@
-// False colours of the light that falls on surfaces, one stop a decade, from 0.1 lx on; black where nothing is lit.
+// False colours of illuminance, one colour per decade, from 0.1 lx up; black where no light falls.
 // Farol
 precision highp float;
 

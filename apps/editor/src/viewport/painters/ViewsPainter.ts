@@ -5,21 +5,21 @@ import type { Viewport } from '../Viewport';
 import { gridCells } from './gridCells';
 
 /**
- * Views in the grid: those that every frame has, since techniques draw it without effects. The final image is drawn last, so that
- * the frame's statistics are those of a normal frame.
+ * Views in the grid: those available in every frame, since the grid is drawn without effects. The final image is drawn
+ * last, so that the frame's statistics are those of a normal frame.
  */
 export const gridViews: readonly View[] = views.slice(0, views.indexOf('grid'));
 
 const whole = new Vector4();
 const clear = new Color();
 
-/** Shows the debug views that every frame has in a grid. */
+/** Shows all debug views of `gridViews` in a grid. */
 export class ViewsPainter implements Painter {
   readonly drawsHelpers = false;
   readonly isGrid = true;
   private readonly farol: FarolRenderer;
 
-  /** Checks that the device can draw all views. @throws Error naming what the device lacks */
+  /** Checks that the device can draw all views. @throws Error naming the missing feature of the device */
   constructor(private readonly viewport: Viewport) {
     this.farol = viewport.farol;
     const { view } = this.farol;

@@ -9,7 +9,7 @@ import type { Viewport } from '../Viewport';
 import { whenLost } from '../whenLost';
 import { type DifferenceFigures, PictureDifference } from './PictureDifference';
 
-/** Time between two measurements (ms). */
+/** Interval between two measurements (ms). */
 const MEASURE_EVERY = 500;
 
 const size = new Vector2();
@@ -36,7 +36,7 @@ export class WipePainter implements Painter {
 
   /**
    * @param technique - the technique to compare with
-   * @throws Error naming what the device lacks
+   * @throws Error naming the missing feature of the device
    */
   constructor(
     private readonly viewport: Viewport,
@@ -66,7 +66,7 @@ export class WipePainter implements Painter {
     return this.other.technique;
   }
 
-  /** Technique to compare with. @throws Error naming what the device lacks */
+  /** Technique to compare with. @throws Error naming the missing feature of the device */
   set technique(technique: TechniqueName) {
     this.other.technique = technique;
     this.settingChanged();
@@ -92,7 +92,7 @@ export class WipePainter implements Painter {
     this.settingChanged();
   }
 
-  /** Factor on the difference of the two pictures, as shown. */
+  /** Factor by which the displayed difference of the images is multiplied. */
   get gain(): number {
     return this.factor;
   }

@@ -9,7 +9,7 @@ export interface GridCell {
 /** Height above each cell for its name (CSS pixels). */
 export const LABEL = 20;
 
-/** The largest cells that fit, with the viewport's aspect ratio and room for a name above each. */
+/** The largest cells that fit, with the viewport's aspect ratio and space for a name above each. */
 export function gridCells(count: number, width: number, height: number): GridCell[] {
   let best: { columns: number; rows: number; scale: number } = { columns: 1, rows: count, scale: 0 };
   for (let columns = 1; columns <= count; columns++) {

@@ -26,7 +26,7 @@ export interface PaneSurface {
   /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
   readonly view: string;
   readonly lookThrough: CameraComponent | null;
-  /** Whether the scene plays as its players see it, with nothing drawn over it. */
+  /** Whether the scene is shown as to its players, with nothing drawn over it. */
   readonly isPlayed: boolean;
   readonly onError: (error: unknown) => void;
   cameraOf(pane: ViewPane): Camera;
@@ -36,18 +36,18 @@ export interface PaneSurface {
 
 /** Draws the views: the scene with each view's shading, then lines, icons and handles. */
 export class PaneDrawing {
-  /** Renderer for shadings without lights; null while it is fetched, undefined before. */
+  /** Renderer for shadings without lights; null while it is fetched, undefined before that. */
   private plain: PlainShading | null | undefined;
 
   constructor(private readonly surface: PaneSurface) {}
 
-  /** Draws all views. @param width - width of all together (CSS pixels) @param height - their height */
+  /** Draws all views. @param width - width of the viewport (CSS pixels) @param height - its height */
   drawAll(width: number, height: number): void {
     const { webgl, panes } = this.surface;
     const { list, active } = panes;
     if (list.length > 1) webgl.clear();
     for (let i = 0; i < list.length; i++) if (list[i] !== active) this.draw(list[i], height);
-    // the active view is drawn last: its handles are hit where they were last drawn
+    // the active view is drawn last, since handles are hit-tested where they were last drawn
     this.draw(active, height);
     if (list.length > 1) {
       webgl.setScissorTest(false);
@@ -55,7 +55,7 @@ export class PaneDrawing {
     }
   }
 
-  /** @param fullHeight - height of all views together (CSS pixels) */
+  /** Draws a view. @param fullHeight - height of the viewport (CSS pixels) */
   private draw(pane: ViewPane, fullHeight: number): void {
     const { surface } = this;
     const { webgl, panes, gizmo, helpers } = surface;
@@ -73,7 +73,7 @@ export class PaneDrawing {
     surface.stamps.draw(surface.document.scene.three, () => this.drawScene(pane, camera, lookThrough));
     gizmo.update(surface.raysOf(pane), surface.isPlayed);
     const view = isPlain(pane.shading) ? null : surface.farol.info.view;
-    // the next view overwrites it
+    // copied, since the next view overwrites the object
     pane.shown = view && { ...view, tiles: view.tiles.map((tile) => ({ ...tile })) };
     if (
       !surface.isPlayed &&
@@ -107,7 +107,7 @@ export class PaneDrawing {
     try {
       if (shownAs !== null && views.includes(shownAs)) farol.view = shownAs;
       if (shadedBy !== null && Object.hasOwn(farol.techniques, shadedBy)) farol.technique = shadedBy as TechniqueName;
-      // side views are for editing: no depth of field, bloom and the like
+      // side views are for editing: no depth of field, bloom or other effects
       if (painter === null && pane === panes.main) picture.draw(scene, camera, lookThrough);
       else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
     } finally {
@@ -116,7 +116,7 @@ export class PaneDrawing {
     }
   }
 
-  /** Fetches the renderer for shadings without lights. @returns whether it is there */
+  /** Fetches the renderer for shadings without lights. @returns whether it has been fetched */
   private plainShading(): boolean {
     const { surface } = this;
     if (this.plain === undefined) {

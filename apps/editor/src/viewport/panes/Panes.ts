@@ -16,8 +16,8 @@ const sides = [
 const GAP = 2;
 
 /**
- * The views of the viewport: one, or four, each with its own camera. Pointer and keys go to the active one, which is
- * the last that the pointer was over.
+ * The views of the viewport: one, or four, each with its own camera. Pointer and keys go to the active view, which is
+ * the last one that the pointer was over.
  */
 export class Panes {
   readonly main: ViewPane;
@@ -31,7 +31,7 @@ export class Panes {
   private Controls: typeof PointerControls | null = null;
 
   /**
-   * @param hasKeys - asked at each key press whether camera controls may use it
+   * @param hasKeys - called at each key press: whether camera controls may use the key
    * @param activated - called when another view becomes active
    */
   constructor(
@@ -65,7 +65,6 @@ export class Panes {
     this.activated();
   }
 
-  /** Whether there are four views. */
   get isQuad(): boolean {
     return this.panes.length > 1;
   }
@@ -95,7 +94,7 @@ export class Panes {
     this.resize(this.width, this.height);
   }
 
-  /** Aims the side views at the main view's target, from above, from the front and from the right. */
+  /** Aims the side views at the main view's target again, in their own directions. */
   lookFromSides(): void {
     const { target, fov } = this.main.editorCamera.pose;
     const { distance } = this.main.editorCamera;
@@ -159,7 +158,7 @@ export class Panes {
     for (const { editorCamera } of this.panes) editorCamera.control(Controls);
   }
 
-  /** Registers the cameras' pointer listeners again, after those that the canvas has now. */
+  /** Registers the cameras' pointer listeners again, behind the canvas's current ones. */
   listenLast(): void {
     for (const { editorCamera } of this.panes) editorCamera.listenLast();
   }

@@ -5,7 +5,6 @@ import type { ViewPane } from './ViewPane';
 
 /** The user's settings for the views, stored in the browser. */
 export interface ViewChoice {
-  /** Whether there are four views. */
   readonly quad: boolean;
   readonly shadings: Readonly<Record<ViewPane['name'], Shading>>;
   /** Shares of the viewport for four views; halves when absent, as stored by older versions. */

@@ -15,13 +15,13 @@ export interface PaneRectangle {
 export class ViewPane {
   rectangle: PaneRectangle = { x: 0, y: 0, width: 1, height: 1 };
   readonly editorCamera: EditorCamera;
-  /** `FarolInfo.view` of the last frame here; null for views of no buffer. */
+  /** `FarolInfo.view` of the pane's last frame; null when it shows no buffer. */
   shown: ViewInfo | null = null;
 
   /**
-   * @param name - 'main' always exists, and can look through a camera of the scene
-   * @param shading - how it shows the scene
-   * @param hasKeys - asked at each key press whether the camera controls may use it
+   * @param name - 'main' always exists, and can show the view of a scene's camera
+   * @param shading - shading of the scene
+   * @param hasKeys - called at each key press: whether the camera controls may use the key
    */
   constructor(
     readonly name: 'main' | 'top' | 'front' | 'right',

@@ -17,7 +17,7 @@ const COLOUR = '#ffb454';
 const LONGEST_STEP = 0.1;
 
 /**
- * Plays emitters that are selected, or below selected objects, while the scene is stopped. Edits nothing; an emitter
+ * Plays emitters of selected objects and their descendants while the scene is stopped. Edits nothing; an emitter
  * restarts when it is deselected.
  */
 export class ParticlePreview {
@@ -107,7 +107,7 @@ export class ParticlePreview {
     const isStopped = simulation.state === 'stopped';
     const found = isStopped ? emittersBelow(this.host.document.selectedObjects) : [];
     if (found.length === this.shown.length && found.every((emitter, i) => emitter === this.shown[i])) return;
-    // not when the scene plays: it restarts its emitters itself
+    // a playing scene restarts its emitters itself
     if (isStopped) for (const emitter of this.shown) if (!found.includes(emitter) && emitter.scene) emitter.restart();
     this.shown = found;
     this.changed.emit();

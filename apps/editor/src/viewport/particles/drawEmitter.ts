@@ -21,7 +21,7 @@ const box = new Box3();
 
 type Triple = readonly [number, number, number];
 
-/** Adds a circle round the emitter's y axis. */
+/** Adds a circle around the emitter's y axis. */
 function ring(lines: LineSet, matrix: Matrix4, radius: number, height: number): void {
   centre.set(0, height, 0).applyMatrix4(matrix);
   x.setFromMatrixColumn(matrix, 0).multiplyScalar(radius);
@@ -40,7 +40,7 @@ function sphere(lines: LineSet, matrix: Matrix4, radius: number): void {
 }
 
 function cone(lines: LineSet, matrix: Matrix4, radius: number, angle: number): void {
-  // an almost flat cone is drawn as wide as it is high
+  // an almost flat cone gets a smaller height, so that it is not drawn too wide
   const height = CONE_HEIGHT * Math.min(1, Math.max(Math.cos(angle) * 2, 0.02));
   const top = radius + height * Math.tan(Math.min(angle, 1.5));
   ring(lines, matrix, radius, 0);
@@ -53,7 +53,7 @@ function cone(lines: LineSet, matrix: Matrix4, radius: number, angle: number): v
   }
 }
 
-/** Collision plane of particles, around its point closest to a place, with its normal. */
+/** Adds a collision plane of particles, around its point closest to the emitter, with its normal. */
 function plane(lines: LineSet, normal: Triple, height: number, place: Vector3): void {
   y.fromArray(normal).normalize();
   x.set(1, 0, 0).cross(y);

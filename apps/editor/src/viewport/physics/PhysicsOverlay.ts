@@ -17,7 +17,7 @@ export interface OverlayHost extends HandleHost {
   readonly showColliders: boolean;
 }
 
-/** Colliders, joints and characters as lines, and handles that size and move those of the selected object. */
+/** Colliders, joints and characters as lines, and handles that resize and move those of the selected object. */
 export class PhysicsOverlay {
   readonly three = new Object3D();
 
@@ -36,7 +36,7 @@ export class PhysicsOverlay {
     return this.handles.places;
   }
 
-  /** Brings the drawn colliders and joints up to date for a frame. @param pixelRatio - pixel ratio of the canvas */
+  /** Updates the lines and handles for a frame. @param pixelRatio - pixel ratio of the canvas */
   update(pixelRatio: number): void {
     const { document, showColliders } = this.host;
     const { scene, selectedObjects } = document;

@@ -14,7 +14,7 @@ export interface ShapeFrame {
   readonly scale: Vector3;
 }
 
-/** Number of points up to which hulls and meshes are drawn; larger ones are drawn as boxes. */
+/** Maximum number of points of hulls and meshes that are drawn; larger ones are drawn as boxes. */
 const MOST_POINTS = 20_000;
 
 const edges = new WeakMap<BufferGeometry, { hull?: Float32Array; mesh?: Float32Array }>();
@@ -126,7 +126,7 @@ function makeSegments(geometry: BufferGeometry, kind: 'hull' | 'mesh'): Float32A
   let shown = geometry;
   if (kind === 'hull') {
     const points = Array.from({ length: positions.count }, (_, i) => new Vector3().fromBufferAttribute(positions, i));
-    // a hull needs at least four points
+    // a hull has at least four points
     shown = points.length < 4 ? geometry : new ConvexGeometry(points);
   }
   const made = new EdgesGeometry(shown, 1);

@@ -19,7 +19,7 @@ export function anchorOf(joint: Joint, target: Vector3): Vector3 {
   return target.fromArray(joint.anchor).applyMatrix4(object3D.matrixWorld);
 }
 
-/** World position of a joint's anchor on its partner; null when it is not set and follows from the joint's own. */
+/** World position of a joint's anchor on its partner; null when it is not set, and follows from the joint's anchor. */
 export function partnerAnchorOf(joint: Joint, target: Vector3): Vector3 | null {
   if (!joint.ownPartnerAnchor) return null;
   target.fromArray(joint.partnerAnchor);
@@ -29,7 +29,7 @@ export function partnerAnchorOf(joint: Joint, target: Vector3): Vector3 | null {
   return target.applyMatrix4(partner.object3D.matrixWorld);
 }
 
-/** A cross at the joint, a line to its partner, the axis of hinges and sliders, and a circle round a hinge. */
+/** A cross at the joint, a line to its partner, the axis of hinges and sliders, and a circle around a hinge. */
 export function drawJoint(lines: LineSet, joint: Joint): void {
   const place = anchorOf(joint, new Vector3());
   for (let i = 0; i < 3; i++) {

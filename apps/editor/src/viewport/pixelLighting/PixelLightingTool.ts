@@ -7,20 +7,20 @@ import { PictureClicks } from '../PictureClicks';
 import type { Viewport } from '../Viewport';
 import { type PixelReading, readPixel } from './PixelReading';
 
-/** Tells of which lights a clicked pixel is made. */
+/** Tool that lists the lights that reach a clicked pixel. */
 export class PixelLightingTool implements Tool {
   readonly id = 'pixel-lighting';
-  /** Emits when the light of a pixel was analysed, and on progress. */
+  /** Emits when a pixel was analysed, and on progress. */
   readonly changed = new Signal();
-  /** The last pixel; null before the first. */
+  /** The reading of the last pixel; null before the first. */
   reading: PixelReading | null = null;
-  /** Part of the work that is done, 0 to 1; null while there is none. */
+  /** Progress of the analysis, 0 to 1; null while there is none. */
   progress: number | null = null;
   private readonly clicks: PictureClicks;
   private readonly readout: DragReadout;
   private work: AbortController | null = null;
 
-  /** @throws Error naming what the device lacks */
+  /** @throws Error naming the missing feature of the device */
   constructor(private readonly viewport: Viewport) {
     if (!drawsFloats(viewport.webgl))
       throw new Error(t('Light cannot be measured: this device cannot draw to float colour buffers.'));
@@ -34,18 +34,18 @@ export class PixelLightingTool implements Tool {
     this.readout.markAt(null);
   }
 
-  /** Ends the work on a pixel. */
+  /** Cancels the analysis of a pixel. */
   cancel(): void {
     this.work?.abort();
   }
 
-  /** Takes apart the pixel in the middle of the active view. */
+  /** Analyses the pixel in the middle of the active view. */
   explainMiddle(): Promise<void> {
     const { left, top, width, height } = this.viewport.bounds;
     return this.explain(left + width / 2, top + height / 2);
   }
 
-  /** Takes apart the pixel at a point of the page (CSS pixels). The scene stands still meanwhile. */
+  /** Analyses the pixel at a point of the page (CSS pixels). The scene is not advanced meanwhile. */
   async explain(x: number, y: number): Promise<void> {
     const { viewport } = this;
     const { bounds, canvas, camera, farol, loop, document } = viewport;
@@ -69,7 +69,7 @@ export class PixelLightingTool implements Tool {
     } catch (error) {
       if (!signal.aborted) throw error;
     } finally {
-      // a later click has the loop
+      // otherwise a later click has stopped the loop, and starts it again
       if (this.work === work) {
         this.work = null;
         loop.start();

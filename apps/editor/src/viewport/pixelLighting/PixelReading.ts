@@ -4,27 +4,27 @@ import type { OtherLight, PixelLighting } from '@farol/renderer/pixel-lighting';
 import type { Color } from 'three';
 import { CostEstimate, type CostView } from '../../model/lights/lightCost';
 
-/** A line of light: of a light of the scene, or of the surroundings. */
+/** A line of the list: a light of the scene, or light without an object, such as the environment. */
 export interface ShareLine {
   readonly key: string;
   readonly name: string;
-  /** Object that is selected by the line; null for light of no object. */
+  /** Object that clicking the line selects; null for light without an object. */
   readonly object: GameObject | null;
   /** Light of this line at the pixel, linear RGB. */
   readonly color: Color;
   /** Part of all light that reaches the pixel, 0 to 1. */
   readonly share: number;
-  /** `share` if the light cast no shadow; null for what casts none. */
+  /** `share` if the light cast no shadow; null when it casts none. */
   readonly unshadowed: number | null;
-  /** `color` if the light cast no shadow; null for what casts none. */
+  /** `color` if the light cast no shadow; null when it casts none. */
   readonly unshadowedColor: Color | null;
-  /** Distance (m); null for light of no place. */
+  /** Distance from the light to the surface (m); null for light without a position. */
   readonly distance: number | null;
-  /** Estimated share of the lighting time in the picture, 0 to 1; null for light of no object. */
+  /** Estimated share of the lighting time in the picture, 0 to 1; null for light without an object. */
   readonly cost: number | null;
 }
 
-/** Surface of the pixel, as the editor knows it. */
+/** Surface visible at the pixel, with its object and material. */
 export interface SurfaceLine {
   readonly key: string;
   readonly object: GameObject;
@@ -42,7 +42,7 @@ export interface PixelReading {
 
 const luminanceOf = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
-/** Names of light that is of no object. */
+/** Names of light without an object. */
 const labelOfOther = (kind: OtherLight, count: number): string =>
   ({
     ambient: t('Ambient light'),
@@ -67,7 +67,7 @@ function costsOf(scene: Scene, view: CostView): ReadonlyMap<GameObject, number> 
   return new Map(sources.map(({ gameObject }, i) => [gameObject, costs[i]]));
 }
 
-/** Reads what the renderer found at a pixel as lines of the scene's objects. */
+/** Converts the renderer's analysis of a pixel to lines with the scene's objects. */
 export function readPixel(lighting: PixelLighting, scene: Scene, view: CostView): PixelReading {
   const costs = costsOf(scene, view);
   const whole = luminanceOf(lighting.sum);

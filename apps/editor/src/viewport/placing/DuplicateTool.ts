@@ -18,14 +18,14 @@ import type { Camera } from 'three';
 const draws = (object: GameObject): boolean =>
   (object.getComponent(ObjectRenderer) ?? object.getComponent(ModelRenderer)) !== null;
 
-/** Whether an object, or anything below it, has a light. */
+/** Whether an object or a descendant has a light. */
 function holdsLight(object: GameObject): boolean {
   let holds = false;
   object.traverse((each) => (holds ||= each.getComponent(Light) !== null));
   return holds;
 }
 
-/** Rounds up to a length that reads well: 1, 2 or 5 times a power of ten. */
+/** Rounds up to 1, 2 or 5 times a power of ten. */
 function niceLength(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length));
   const factor = [1, 1.5, 2, 3, 5].find((each) => each * power >= length * 0.999) ?? 10;
@@ -34,7 +34,7 @@ function niceLength(length: number): number {
 
 /**
  * Copies the selection along a line, a ring, a grid or over a surface, with a preview while settings change, as one
- * step of history. Any other edit meanwhile keeps the previewed copies.
+ * step of history. Any other edit meanwhile commits the previewed copies.
  */
 export class DuplicateTool implements Tool {
   readonly id = 'duplicate';
@@ -54,7 +54,7 @@ export class DuplicateTool implements Tool {
 
   /**
    * @param camera - only surfaces on its layers are found
-   * @param onEnd - called when something else has ended the tool
+   * @param onEnd - called when another edit or tool has ended this one
    */
   constructor(
     private readonly document: EditorDocument,
@@ -62,12 +62,12 @@ export class DuplicateTool implements Tool {
     onEnd: () => void,
   ) {
     const { commands, selection, scene } = document;
-    // first: an open gesture of another tool is then ended, and may restore values read below
+    // first, since this ends an open gesture of another tool, which may restore values read below
     this.gesture = commands.begin();
     const selected = document.selectedObjects;
     const last = selected.at(-1)!;
     const others = selected.slice(0, -1);
-    // lights, then the surface to scatter them over, were selected
+    // when a mesh was selected after lights, these are scattered over it
     const overLast = others.length > 0 && draws(last) && !others.some(draws);
     this.sources = topmost(overLast ? others : selected, scene);
     scene.three.updateMatrixWorld();
@@ -101,7 +101,7 @@ export class DuplicateTool implements Tool {
     return Math.max(this.sources.length, this.places.length);
   }
 
-  /** Keeps the previewed copies as one step of history. */
+  /** Commits the previewed copies as one step of history. */
   apply(): void {
     this.gesture.commit();
   }
@@ -172,7 +172,7 @@ export class DuplicateTool implements Tool {
     };
   }
 
-  /** An object with a mesh below the originals. */
+  /** An object with a mesh on which the originals stand; null when there is none. */
   private surfaceBelow(): GameObject | null {
     const { document, camera, sources } = this;
     const from = boundsOf(sources).getCenter(new Vector3());

@@ -17,7 +17,7 @@ const none: ReadonlySet<never> = new Set();
 const raycaster = new Raycaster();
 const projected = new Vector3();
 
-/** Length in mm, cm or m, whichever reads best. @param length - m */
+/** Length in mm, cm or m, depending on its size. @param length - m */
 export function lengthText(length: number): string {
   const size = Math.abs(length);
   if (size === 0 || size >= 1) return `${Number(length.toFixed(3)) + 0} m`;
@@ -25,8 +25,8 @@ export function lengthText(length: number): string {
 }
 
 /**
- * Measures the distance between two clicked points on meshes, else on the ground at height 0. Snaps to vertices close
- * to the pointer.
+ * Measures the distance between two clicked points on meshes, or else on the ground at height 0. Snaps to vertices
+ * close to the pointer.
  */
 export class MeasureTool implements Tool {
   readonly id = 'measure';

@@ -6,7 +6,7 @@ import { castMesh } from '../trees/castByTree';
 const matrix = new Matrix3();
 const normal = new Vector3();
 const DOWN = new Vector3(0, -1, 0);
-/** Height above a point from which a surface is searched when none is below (m). */
+/** Height above a point from which surfaces are searched downwards when none is below it (m). */
 const SKY = 10_000;
 
 interface Candidate {
@@ -21,7 +21,7 @@ export class SurfaceBelow {
   private readonly material = new MeshBasicMaterial({ side: 2 });
   private readonly hits: Intersection[] = [];
 
-  /** @param without - objects to ignore, with everything below them */
+  /** @param without - objects to ignore, with their descendants */
   constructor(scene: Scene, without: ReadonlySet<GameObject>) {
     const visit = (object: GameObject): void => {
       if (without.has(object) || !object.active) return;

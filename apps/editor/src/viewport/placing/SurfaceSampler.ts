@@ -25,11 +25,11 @@ function vertexAt(
 export class SurfaceSampler {
   /** World positions of each triangle's corners (m): 9 numbers. */
   private readonly corners: Float32Array;
-  /** Cumulative areas (m²): of each triangle and all before it. */
+  /** Cumulative areas (m²): of each triangle and all previous ones. */
   private readonly areas: Float64Array;
 
   /**
-   * @param objects - sampled with everything below them
+   * @param objects - sampled with their descendants
    * @param upwards - whether only triangles that face up are used, if there are any
    */
   constructor(objects: readonly GameObject[], upwards: boolean) {
@@ -72,7 +72,7 @@ export class SurfaceSampler {
 
   /**
    * Samples a point.
-   * @param random - gives numbers in [0, 1); three are used
+   * @param random - returns numbers in [0, 1); called three times
    * @param point - receives the world position (m)
    * @param normalWS - receives the unit normal
    */

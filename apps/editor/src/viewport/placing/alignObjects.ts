@@ -34,7 +34,7 @@ const moved = (label: string, parts: readonly Boxed[], ways: readonly Vector3[])
 
 /**
  * Moves objects along a world axis to align one side of their boxes with that of their common box.
- * @param objects - at least one; those below another are ignored
+ * @param objects - at least one; descendants of another are ignored
  */
 export function alignObjects(scene: Scene, objects: readonly GameObject[], axis: Axis, side: AlignSide): Command {
   const parts = boxed(scene, objects);
@@ -49,7 +49,7 @@ export function alignObjects(scene: Scene, objects: readonly GameObject[], axis:
 /**
  * Moves objects along a world axis, except the first and the last, to make distances equal.
  * @param by - 'gaps' between boxes, or 'centres' between their centres
- * @param objects - at least one; those below another are ignored
+ * @param objects - at least one; descendants of another are ignored
  */
 export function distributeObjects(
   scene: Scene,
@@ -86,9 +86,9 @@ export function distributeObjects(
 const INSIDE = 0.9;
 
 /**
- * Moves objects onto the surface below them, or above when they are under it; else onto the ground at height 0. They do
- * not stand on each other.
- * @param objects - at least one; those below another are ignored
+ * Moves objects onto the surface below them, or above when they are under it; else onto the ground at height 0. The
+ * objects are not dropped onto each other.
+ * @param objects - at least one; descendants of another are ignored
  */
 export function dropToGround(scene: Scene, objects: readonly GameObject[]): Command {
   const parts = boxed(scene, objects);

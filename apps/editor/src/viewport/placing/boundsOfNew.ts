@@ -22,7 +22,7 @@ function drawnBoxOf(assets: AssetLibrary, object: GameObject): Box3 {
   scene.updateMatrixWorld();
   const box = new Box3();
   for (const node of subtree.nodes) box.expandByObject(node);
-  // the object takes the place of the root of its parts
+  // relative to the root of the model's parts, whose place the object takes
   return part.union(box.applyMatrix4(subtree.root.matrixWorld.clone().invert()));
 }
 
@@ -39,7 +39,7 @@ export function boundsOfNew(objects: readonly GameObject[], assets: AssetLibrary
   return target;
 }
 
-/** Names of assets that must be loaded before the size of objects is known. */
+/** Names of assets that must be loaded to know the size of objects. */
 export function shapesToLoad(objects: readonly GameObject[], assets: AssetLibrary): string[] {
   const names = new Set<string>();
   for (const root of objects) {

@@ -3,14 +3,14 @@ import { Box3, Vector3 } from 'three';
 /** Boxes that overlap by less than this (m) only touch. */
 const TOUCH = 0.005;
 
-/** Greatest number of steps tried along one axis. */
+/** Maximum number of steps tried along one axis. */
 const STEPS = 200;
 
 const size = new Vector3();
 const other = new Vector3();
 const moved = new Box3();
 
-/** Whether an obstacle, such as a room, is so much larger than a box that it is not in the way. */
+/** Whether an obstacle, such as a room, is so much larger than a box that the box may be inside. */
 function isRoomFor(obstacle: Box3, box: Box3): boolean {
   obstacle.getSize(other);
   box.getSize(size);
@@ -40,7 +40,7 @@ function wayOut(box: Box3, obstacles: readonly Box3[], axis: 'x' | 'z', sign: 1 
   return null;
 }
 
-/** Costs (m) larger than any distance: of being fully hidden, and of leaving the support. */
+/** Costs (m), larger than any distance: of a fully hidden place, and of a place beyond the support's edge. */
 const [HIDDEN, FALLS] = [1e3, 1e6];
 
 /** Hidden share of a box (0 to 1) up to which it still counts as visible. */
@@ -74,7 +74,7 @@ export function freePlace(
       if (way === null) continue;
       const end = middle[axis] + sign * way;
       const falls = support !== null && (end < support.min[axis] || end > support.max[axis]);
-      // preference: right, then towards or away from the eye, then left; off the edge last
+      // preference: right, then towards or away from the eye, then left; beyond the support's edge last
       let cost = way * (1.15 - 0.15 * sign * right[axis]) + (falls ? FALLS : 0);
       if (cost >= best) continue;
       moved.copy(box);

@@ -16,7 +16,7 @@ function aimAt(camera: Camera, at: Vector3): number {
     ray.direction.copy(at).sub(ray.origin).normalize();
     return ray.origin.distanceTo(at);
   }
-  // an orthographic camera has parallel rays, from its near plane
+  // an orthographic camera has parallel rays, which start at its near plane
   projected.copy(at).project(camera);
   ray.origin.set(projected.x, projected.y, -1).unproject(camera);
   ray.direction.copy(at).sub(ray.origin).normalize();

@@ -26,18 +26,19 @@ export interface LandingView {
   readonly step: number;
 }
 
-/** Ground farther away (m) than this, or than twice the distance to the orbit target, is ignored. */
+/** Distance (m): ground farther away than this, or than twice the distance to the orbit target, is ignored. */
 const FARTHEST_GROUND = 60;
 /** Range of distances from the eye for objects placed in empty space (m). */
 const [NEAREST, FARTHEST] = [2, 15];
-/** Height of lights and cameras above the surface they are placed over (m). */
+/** Height above the surface of lights and cameras that are placed over it (m). */
 const heights: Readonly<Record<string, number>> = { point: 2.5, spot: 2.5, directional: 4, ambient: 3, hemisphere: 3 };
 const EYE_HEIGHT = 1.6;
 /** Assumed size of objects without a mesh (m). */
 const NOMINAL = 0.5;
 
 /**
- * Objects lower than this (m) count as floors, and are raised by half of it above another floor to avoid z-fighting.
+ * Height (m) below which objects count as floors; they are raised by half of it above another floor to avoid
+ * z-fighting.
  */
 const FLAT = 0.02;
 
@@ -48,14 +49,14 @@ const middle = new Vector3();
 
 const isFloor = ({ normal }: Surface): boolean => normal.y > 0.6;
 
-/** Height of an object without a mesh above the surface it is placed over (m). */
+/** Height above the surface at which an object without a mesh is placed (m). */
 function heightOf(object: GameObject): number {
   const light = object.getComponent(Light);
   if (light) return heights[light.type] ?? 0;
   return object.getComponent(CameraComponent) ? EYE_HEIGHT : 0;
 }
 
-/** Inner box of a room (world); null when the object is none. */
+/** Inner box of a room (world); null when the object is no room. */
 function insideOf(object: GameObject): Box3 | null {
   const room = object.getComponent(Room);
   if (!room?.enabled) return null;
@@ -92,7 +93,7 @@ function floorBelow(view: LandingView, from: Vector3, box: Box3): Surface | null
   return floors[0] ?? groundAlong(ray, Infinity);
 }
 
-/** Whether a point is visible on screen, with some margin to the edge. */
+/** Whether a point is visible on screen, away from the edges. */
 function isSeen(point: Vector3, camera: Camera): boolean {
   const { x, y, z } = middle.copy(point).project(camera);
   return Math.abs(x) < 0.9 && Math.abs(y) < 0.9 && z > -1 && z < 1;
@@ -108,14 +109,14 @@ function surfacesThrough(view: LandingView, point: Vector2): Surface[] {
   return [...surfaces.filter(({ distance }) => distance <= limit), ground];
 }
 
-/** A point at a moderate distance from the eye, for objects placed in empty space. */
+/** A point in empty space on the ray through a screen point, as far away as the orbit target, within limits. */
 function pointBefore(view: LandingView, point: Vector2): Vector3 {
   const ray = rayThrough(view.camera, point);
   const distance = Math.min(FARTHEST, Math.max(NEAREST, ray.origin.distanceTo(view.target)));
   return ray.at(distance, new Vector3());
 }
 
-/** Whether a hit object is similar in size to a box, which can be put beside it, rather than a wall. */
+/** Whether a hit object is not much larger than a box, so that it is no wall and the box can be placed beside it. */
 function isThing({ object }: Surface, box: Box3): boolean {
   if (!object) return false;
   const there = boundsOf([object], new Box3(), false).getSize(new Vector3());
@@ -123,7 +124,7 @@ function isThing({ object }: Surface, box: Box3): boolean {
   return Math.max(there.x, there.z) < 3 * Math.max(size.x, size.z);
 }
 
-/** The floor visible behind a small object, close to it; a new object is then moved beside the small one. */
+/** The floor visible behind a small object, close to it; a new object is then placed beside the small one. */
 function floorBehind(surfaces: readonly Surface[], box: Box3): Surface | null {
   const behind = surfaces.find((each) => !isThing(each, box));
   if (!behind || !isFloor(behind) || !canCarry(behind, box)) return null;
@@ -132,7 +133,7 @@ function floorBehind(surfaces: readonly Surface[], box: Box3): Surface | null {
   return behind.point.distanceTo(surfaces[0].point) < near ? behind : null;
 }
 
-/** A place for an object: a point on a surface; the surface is null in empty space. */
+/** A candidate place for an object: a point on a surface; the surface is null in empty space. */
 interface Stand {
   readonly at: Vector3;
   readonly on: Surface | null;
@@ -153,7 +154,7 @@ function standsAt(view: LandingView, point: Vector2, box: Box3): Stand[] {
   return behind ? [{ at: behind.point, on: behind }, inFront] : [inFront];
 }
 
-/** Place on the floor in front of a wall, or of the side of something large. */
+/** Place on the floor in front of a wall, or in front of the side of a large object. */
 function standBefore(view: LandingView, seen: Surface, box: Box3): Stand {
   box.getSize(size);
   const out = seen.normal.clone().setY(0);
@@ -198,7 +199,7 @@ function clearanceAbove(view: LandingView, point: Vector3): number {
 
 const rounded = (value: number, step: number): number => Math.round(value / step) * step;
 
-/** Moves objects that are not in a scene yet. */
+/** Translates objects that are not in a scene yet. */
 function moveBy(objects: readonly GameObject[], { x, y, z }: Vector3): void {
   for (const { transform } of objects) {
     const [px, py, pz] = transform.position;
@@ -209,8 +210,8 @@ function moveBy(objects: readonly GameObject[], { x, y, z }: Vector3): void {
 }
 
 /**
- * The point of objects that is put at the pointer: the origin of a single one when it is inside its box, else the box's
- * centre.
+ * The point of objects that is placed at the pointer: the origin of a single object when it is inside its box, else the
+ * box's centre.
  */
 function anchorOf(objects: readonly GameObject[], box: Box3): Vector3 {
   const anchor = box.getCenter(new Vector3());
@@ -250,7 +251,7 @@ function freeAlong(box: Box3, solid: readonly Box3[], side: Vector3): Vector3 {
   return new Vector3();
 }
 
-/** Fixes an object to the ceiling or wall at a point on screen, free of others. @returns whether it belongs to one */
+/** Mounts an object on the ceiling or wall at a screen point, beside others. @returns false when it has no such tag */
 function fix(view: LandingView, object: GameObject, point: Vector2): boolean {
   const mount = mountOf(object);
   if (!mount) return false;
@@ -284,10 +285,10 @@ function turnWithView(objects: readonly GameObject[], camera: Camera): void {
 
 /**
  * Places objects that are not in a scene yet at a point on screen: on the surface there, in front of it when it is a
- * wall, else on the ground at height 0, else at a moderate distance from the eye. They stand on their lowest point
- * beside existing objects. Lights and cameras are put at a useful height; decals are projected onto the surface; objects
- * with the tag `ceiling` hang, those with `wall` turn to their wall.
- * @param objects - at least one; their relative positions stay
+ * wall, else on the ground at height 0, else at a moderate distance from the eye. Their lowest point touches the
+ * surface, beside existing objects. Lights and cameras are placed at a useful height; decals are projected onto the
+ * surface; objects tagged `ceiling` hang, objects tagged `wall` are turned to their wall.
+ * @param objects - at least one; their relative positions are kept
  * @param point - normalised device coordinates
  */
 export function land(view: LandingView, objects: readonly GameObject[], point: Vector2): void {
@@ -311,7 +312,7 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
   for (const stand of standsAt(view, point, box)) {
     const landed = standOn(view, objects, box, isShape, stand);
     const movedBox = box.clone().translate(landed);
-    // a place hidden by other objects would be confusing
+    // a place hidden by other objects would confuse the user
     const hidden = hiddenShare(movedBox, obstaclesFor(movedBox, scene, stand.on?.object ?? null, isShape), camera);
     if (hidden < leastHidden) [shift, leastHidden] = [landed, hidden];
     if (leastHidden <= HIDDEN_ENOUGH) break;
@@ -319,7 +320,7 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
   moveBy(objects, shift);
 }
 
-/** Shift (m) that puts objects on a place, or as near to it as they are free. @param box - bounds of the objects */
+/** Shift (m) that moves objects to a place, or to the nearest free one. @param box - bounds of the objects */
 function standOn(
   view: LandingView,
   objects: readonly GameObject[],

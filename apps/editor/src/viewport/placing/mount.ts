@@ -4,13 +4,13 @@ import { boundsOf } from '../boundsOf';
 import type { LandingView } from './land';
 import { type Surface, surfacesAlong } from './surfaces';
 
-/** Tags of objects that are fixed to a ceiling, or to a wall, which their back (+Z) touches. */
+/** Tags of objects that are mounted on a ceiling, or on a wall, which their back (+Z) touches. */
 const MOUNTS = ['ceiling', 'wall'] as const;
 export type Mount = (typeof MOUNTS)[number];
 
-/** Height of what hangs where there is no ceiling, and of what is on a wall where none is seen (m). */
+/** Height above the surface when no ceiling, or no wall, is found (m). */
 const HEIGHTS: Readonly<Record<Mount, number>> = { ceiling: 2.6, wall: 1.6 };
-/** Distance within which a ceiling above, or a wall behind, is looked for (m). */
+/** Distance within which a ceiling above, or a wall behind, is searched (m). */
 const REACH = 12;
 
 const UP = new Vector3(0, 1, 0);
@@ -20,7 +20,7 @@ const faces: Readonly<Record<Mount, (normal: Vector3) => boolean>> = {
   wall: ({ y }) => Math.abs(y) < 0.4,
 };
 
-/** Ceiling or wall that an object is fixed to, by its tags; null where it stands. */
+/** Ceiling or wall that an object is mounted on, by its tags; null for other objects. */
 export const mountOf = ({ tags }: GameObject): Mount | null => MOUNTS.find((mount) => tags.includes(mount)) ?? null;
 
 /** The nearest ceiling or wall in a direction from a point. */
@@ -31,7 +31,7 @@ function beyond(view: LandingView, mount: Mount, { point, normal }: Surface, dir
   return found && found.distance < REACH ? found : null;
 }
 
-/** Whether the object that was hit is large enough for a thing of a size (m): lamps do not carry lamps. */
+/** Whether the hit object is large enough to carry one of a size (m): lamps do not carry lamps. */
 function carries(mount: Mount, { object }: Surface, size: Vector3): boolean {
   if (!object) return true;
   const there = boundsOf([object], new Box3(), false).getSize(new Vector3());
@@ -43,13 +43,13 @@ function carries(mount: Mount, { object }: Surface, size: Vector3): boolean {
 export interface MountPlace {
   readonly point: Vector3;
   readonly rotation: Quaternion;
-  /** Object that carries it; null in free space. */
+  /** Object with that ceiling or wall; null in free space. */
   readonly on: GameObject | null;
 }
 
 /**
- * Place on the ceiling or wall at the pointer, else on the one above what is seen there, or behind it; else at a usual
- * height over it.
+ * Place on the ceiling or wall at the pointer, else on the ceiling above or the wall behind the surface there; else at
+ * a usual height above that surface.
  * @param surfaces - surfaces at the pointer, nearest first
  * @param box - bounds of the object with its origin at 0
  */
@@ -67,7 +67,7 @@ export function mountPlace(
   let found: Surface | null = null;
   for (const each of surfaces) {
     if (faces[mount](each.normal)) found = carries(mount, each, size) ? each : null;
-    // above whatever is seen; behind floors, not behind small things before a wall
+    // ceilings are searched above any surface; walls only behind floors, not behind small objects in front of them
     else if (mount === 'ceiling' || Math.abs(each.normal.y) > 0.6) found = beyond(view, mount, each, direction);
     if (found) break;
   }
@@ -76,7 +76,7 @@ export function mountPlace(
   const point = seen.point.clone();
   if (!found) point.y += mount === 'ceiling' ? Math.max(HEIGHTS.ceiling, 0.3 - box.min.y) : HEIGHTS.wall;
   const facing = mount === 'wall' && found ? seen.normal.clone().setY(0).normalize() : back;
-  // the front, -Z, goes along the wall's normal
+  // the front, -Z, points along the wall's normal
   const turn = new Matrix4().lookAt(new Vector3(), facing, UP);
   const rotation = mount === 'wall' ? new Quaternion().setFromRotationMatrix(turn) : new Quaternion();
   return { point, rotation, on: found?.object ?? null };

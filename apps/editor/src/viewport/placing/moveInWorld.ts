@@ -5,7 +5,7 @@ import { Vector3 } from 'three';
 
 const place = new Vector3();
 
-/** Edits that move objects by world vectors (m). @param objects - none below another one of them */
+/** Edits that move objects by world vectors (m). @param objects - none of them a descendant of another */
 export function moveInWorld(objects: readonly GameObject[], ways: readonly Vector3[]): FieldEdit[] {
   return objects.flatMap(({ transform, object3D: { parent } }, i): FieldEdit[] => {
     if (ways[i].lengthSq() < 1e-14) return [];

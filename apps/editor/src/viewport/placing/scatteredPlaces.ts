@@ -8,13 +8,13 @@ const TRIES = 60;
 
 const UP = new Vector3(0, 1, 0);
 
-/** Points in a hash grid whose cells are as wide as the least distance. */
+/** Points in a hash grid whose cells are as wide as the smallest distance between points. */
 class PointGrid {
   private readonly cells = new Map<string, Vector3[]>();
 
   constructor(private readonly distance: number) {}
 
-  /** Adds a point, unless another one is closer than the least distance. @returns whether it was added */
+  /** Adds a point, unless another one is closer than the smallest distance. @returns whether it was added */
   add(point: Vector3): boolean {
     const { distance, cells } = this;
     if (distance <= 0) return true;
@@ -37,7 +37,7 @@ class PointGrid {
 /**
  * Places scattered over a surface, determined by the seed; a larger count extends a smaller one.
  * @param feet - for each original, height of its origin above its lowest point (m)
- * @returns fewer than asked for when no more fit at the least distance; none when there is no surface
+ * @returns fewer than `count` when no more fit at the smallest distance; none without a surface
  */
 export function scatteredPlaces(
   arrangement: Arrangement,
@@ -56,7 +56,7 @@ export function scatteredPlaces(
   const total = Math.min(MOST_COPIES, Math.max(feet.length, Math.round(count)));
   for (let tries = 0; places.length < total && tries < TRIES; tries++) {
     surface.sample(random, point, normal);
-    // rejected points use up random numbers too, so that later ones do not depend on rounding of the distance
+    // rejected points consume random numbers too, so that later ones do not depend on rounding of the distance
     const [angle, size] = [random() * 2 * Math.PI, random()];
     if (!grid.add(point)) continue;
     tries = -1;

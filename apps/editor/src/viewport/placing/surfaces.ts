@@ -48,7 +48,7 @@ export function rayThrough(camera: Camera, point: Vector2): Ray {
 
 /**
  * Surfaces along a ray, nearest first, as of the last drawn frame; without the ground at height 0.
- * @param without - objects to ignore, with everything below them
+ * @param without - objects to ignore, with their descendants
  */
 export function surfacesAlong(
   scene: Scene,
@@ -76,7 +76,7 @@ export function groundAlong(ray: Ray, limit: number): Surface | null {
   return { point, normal, object: null, distance };
 }
 
-/** Whether an object is in a set, or below an object of it. */
+/** Whether an object or an ancestor is in a set. */
 function isWithin(object: GameObject, set: ReadonlySet<GameObject>): boolean {
   for (let each: GameObject | null = object; each; each = each.parent) if (set.has(each)) return true;
   return false;

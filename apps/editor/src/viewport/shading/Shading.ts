@@ -1,4 +1,4 @@
-/** Shading without the scene's lights. */
+/** Shadings without the scene's lights. */
 export type PlainShadingName = 'unlit' | 'clay' | 'wireframe';
 
 /**

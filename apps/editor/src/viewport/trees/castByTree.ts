@@ -33,7 +33,7 @@ function castInstances(mesh: InstancedMesh, raycaster: Raycaster, hits: Intersec
   return true;
 }
 
-/** Raycasts a large mesh by its bounding volume hierarchy. Leaves the mesh to three when there is none, or not yet. */
+/** Raycasts a large mesh by its bounding volume hierarchy. Leaves a mesh without one to three. */
 export const castByTree: MeshCaster = (mesh, raycaster, hits) => {
   const { geometry } = mesh;
   const { index, attributes } = geometry;

@@ -47,7 +47,7 @@ function startWorker(): Worker {
   return started;
 }
 
-/** Builds in a worker, or at once where there are none, as in tests. */
+/** Builds in a worker, or in this thread when there are no workers, as in tests. */
 async function grow(source: TreeSource): Promise<SerializedBVH> {
   if (typeof Worker === 'undefined') return (await import('./growTree')).growTree(source);
   worker ??= startWorker();

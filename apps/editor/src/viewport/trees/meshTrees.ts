@@ -30,10 +30,10 @@ function begin(geometry: BufferGeometry): Grown {
       .then(({ loadTree }) => loadTree(geometry))
       .then(
         (tree) => {
-          // else the geometry was edited meanwhile: the next ray starts again
+          // otherwise the geometry was edited meanwhile: the next ray starts building again
           if (trees.get(geometry) === grown && isCurrent(grown, geometry)) grown.tree = tree;
         },
-        // without a tree every triangle is tested
+        // not fatal: without a tree, every triangle is tested
         (error: Error) => console.debug(`Farol: ${error.message}`),
       ),
   };

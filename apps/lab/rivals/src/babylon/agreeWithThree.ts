@@ -3,7 +3,7 @@ import '@babylonjs/core/Shaders/ShadersInclude/pbrDirectLightingFalloffFunctions
 
 /**
  * Replaces formulas in Babylon's store of shader includes that differ from three's, with the same work per light.
- * @throws Error when an include differs from that of 9.34
+ * @throws Error when an include differs from that of Babylon.js 9.34
  */
 export function agreeWithThree(): void {
   const store = ShaderStore.IncludesShadersStore;
@@ -13,12 +13,12 @@ export function agreeWithThree(): void {
     store[name] = store[name].replace(from, to);
   };
   const name = 'pbrDirectLightingFalloffFunctions';
-  // distances are 0.1 m at least
+  // three clamps distances to at least 0.1 m
   replace(
     name,
     'float lightDistanceFalloff=1.0/maxEps(lightDistanceSquared);float factor',
     'float lightDistanceFalloff=1.0/max(lightDistanceSquared,0.01);float factor',
   );
-  // a spot light's edge is a smooth step
+  // three fades a spot light's edge by a smoothstep
   replace(name, 'falloff*=falloff;return falloff;}', 'falloff*=falloff*(3.0-2.0*falloff);return falloff;}');
 }

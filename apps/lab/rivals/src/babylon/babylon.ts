@@ -40,14 +40,14 @@ function makeGeometry(scene: Scene, from: RivalGeometry, name: string): Geometry
   return new Geometry(name, scene, data);
 }
 
-/** Colours of instances with opacity 1, as Babylon needs them. */
+/** Colours of instances with an alpha of 1 added, which Babylon needs. */
 function withOpacity(colours: Float32Array): Float32Array {
   const result = new Float32Array((colours.length / 3) * 4).fill(1);
   for (let i = 0; i < colours.length / 3; i++) result.set(colours.subarray(i * 3, i * 3 + 3), i * 4);
   return result;
 }
 
-/** Sets the world placement of an object without a parent. */
+/** Sets the world position and rotation of an object without a parent. */
 function place(object: { position: Vector3; rotationQuaternion: Nullable<Quaternion> }, p: RivalPlacement): void {
   object.position.set(p[0], p[1], p[2]);
   object.rotationQuaternion?.set(p[3], p[4], p[5], p[6]);
@@ -76,7 +76,7 @@ class BabylonDrawing implements RivalDrawing {
     private readonly from: RivalScene,
     private readonly signal: AbortSignal,
   ) {
-    // no banner in the console
+    // disables the banner in the console
     Logger.LogLevels = Logger.WarningLogLevel | Logger.ErrorLogLevel;
     this.engine = new Engine(
       canvas,
@@ -105,7 +105,7 @@ class BabylonDrawing implements RivalDrawing {
     this.meshes = this.addMeshes();
     this.addStillLights();
     this.setLights(this.from.points);
-    // Babylon compiles in the background
+    // Babylon compiles shaders in parallel
     while (!this.scene.isReady(true)) {
       await new Promise((resolve) => setTimeout(resolve));
       this.signal.throwIfAborted();
@@ -156,7 +156,7 @@ class BabylonDrawing implements RivalDrawing {
   }
 
   dropped(): number {
-    // the container's masks have a bit per light
+    // no cluster drops lights: the container's masks have a bit for each one
     return 0;
   }
 
@@ -178,13 +178,13 @@ class BabylonDrawing implements RivalDrawing {
 
   private addMeshes(): Mesh[] {
     const { from, scene } = this;
-    // the container counts as one light
+    // the container counts as one light in a material's limit
     const lights = from.directionals.length + from.hemispheres.length + 1;
     const materials = makeMaterials(scene, from, lights);
     const geometries = from.geometries.map((geometry, i) => makeGeometry(scene, geometry, `geometry ${i}`));
     return from.meshes.map(({ geometry, material, placement, instances }, i) => {
       const mesh = new Mesh(`mesh ${i}`, scene);
-      // instance buffers belong to a geometry
+      // instance buffers belong to a geometry, so that instanced meshes need one of their own
       const own = instances ? makeGeometry(scene, from.geometries[geometry], `geometry of mesh ${i}`) : null;
       (own ?? geometries[geometry]).applyToMesh(mesh);
       mesh.material = materials[material];
@@ -204,7 +204,7 @@ class BabylonDrawing implements RivalDrawing {
     const { scene, container, from } = this;
     for (const { sky, ground, up } of from.hemispheres) {
       const light = new HemisphericLight('hemisphere', new Vector3(...up), scene);
-      // Babylon's hemisphere is radiance
+      // Babylon's hemispheric light is radiance, three's irradiance
       light.diffuse = colour(sky, 1 / Math.PI);
       light.groundColor = colour(ground, 1 / Math.PI);
       light.specular = new Color3(0, 0, 0);
@@ -231,6 +231,6 @@ class BabylonDrawing implements RivalDrawing {
   }
 }
 
-/** @throws Error that names what Babylon.js cannot do */
+/** Opens Babylon.js for a scene. @throws Error naming the unsupported feature */
 export const open = (canvas: HTMLCanvasElement, scene: RivalScene, signal: AbortSignal): RivalDrawing =>
   new BabylonDrawing(canvas, scene, signal);

@@ -30,7 +30,7 @@ const samplings = {
   ],
 };
 
-/** A material's view of a texture; the texels are uploaded once. */
+/** The scene's textures, with views of them for the offsets and scales of materials; texels are uploaded once. */
 class Textures {
   private readonly sent: (RawTexture | undefined)[] = [];
 
@@ -44,7 +44,7 @@ class Textures {
     const made = first ? (first.clone() as RawTexture) : (this.sent[texture] = this.send(this.from[texture]));
     [made.uScale, made.vScale] = scale;
     [made.uOffset, made.vOffset] = offset;
-    // scaled about the origin, as in three
+    // Babylon scales about the centre by default, three about the origin
     made.uRotationCenter = made.vRotationCenter = 0;
     made.homogeneousRotationInUVTransform = true;
     return made;
@@ -84,7 +84,7 @@ function makeMaterial(scene: Scene, from: RivalMaterial, textures: Textures, lig
   material.roughness = from.roughness;
   material.useGLTFLightFalloff = true;
   material.maxSimultaneousLights = lights;
-  // triangles are counter-clockwise from their front
+  // triangles are counter-clockwise seen from their front, as in three
   material.sideOrientation = Material.CounterClockWiseSideOrientation;
   material.brdf.baseDiffuseModel = Constants.MATERIAL_DIFFUSE_MODEL_LAMBERT;
   material.unlit = !from.isLit;

@@ -1,5 +1,5 @@
 /**
- * Shader chunks (a documented interface) that replace parts of PlayCanvas's shaders whose formulas differ from three's, with
+ * Replacements, by a documented interface, for parts of PlayCanvas's shaders whose formulas differ from three's, with
  * the same work per light.
  */
 import {
@@ -23,7 +23,7 @@ float getFalloffInvSquared(float lightRadius, vec3 lightDir) {
   return getFalloffWindow(lightRadius, lightDir) / max(dot(lightDir, lightDir), 0.01);
 }`;
 
-/** Normal map with a factor for x and for y; PlayCanvas's tangent frame by derivatives points along -v. */
+/** Normal map with factors for x and y; the tangent frame that PlayCanvas derives has its bitangent along -v. */
 const normalMap = `
 #ifdef STD_NORMAL_TEXTURE
   uniform vec2 farol_normalScale;
@@ -65,14 +65,14 @@ export const instanceColourChunks = {
   litUserDeclarationPS: 'varying vec3 vInstanceColour;',
 } as const;
 
-/** PlayCanvas's chunks that get the instance's colour: diffuse of lit materials, emission of others. */
+/** PlayCanvas's chunk, multiplied by the instance's colour: diffuse for lit materials, emission for others. */
 export function multiplyByInstanceColour(device: GraphicsDevice, chunk: 'diffusePS' | 'emissivePS'): string {
   const source = ShaderChunks.get(device, SHADERLANGUAGE_GLSL).get(chunk);
   const [name, end] = [chunk === 'diffusePS' ? 'dAlbedo' : 'dEmission', source.lastIndexOf('}')];
   return `${source.slice(0, end)}  ${name} *= vInstanceColour;\n}`;
 }
 
-/** Replaces falloff, highlights and sRGB curve in the chunks of a device by three's. @throws Error when a chunk differs from that of 2.23 */
+/** Replaces falloff, highlights and sRGB curve by three's. @throws Error when a chunk differs from PlayCanvas 2.23's */
 export function agreeWithThree(device: GraphicsDevice): void {
   const chunks = ShaderChunks.get(device, SHADERLANGUAGE_GLSL);
   const replace = (name: string, from: string, to: string): void => {
@@ -84,9 +84,9 @@ export function agreeWithThree(device: GraphicsDevice): void {
   chunks.set('normalMapPS', normalMap);
   // light colours are divided by π, since PlayCanvas's diffuse term is not
   replace('lightSpecularGGXPS', 'return D * G;', 'return D * G * PI;');
-  // Smith's visibility with the square of alpha, not its fourth power
+  // Smith's visibility term with alpha², where PlayCanvas has alpha⁴
   replace('lightSpecularGGXPS', 'float alpha2 = alpha * alpha;', 'float alpha2 = alpha;');
-  // Schlick's Fresnel term reaches 1
+  // Schlick's Fresnel term goes up to 1, as in three
   replace('fresnelSchlickPS', 'max(vec3(glossSq * specIntensity), specularity)', 'vec3(1.0)');
   replace(
     'gammaPS',

@@ -2,7 +2,7 @@ import { type AppBase, Vec3 } from 'playcanvas';
 
 /** PlayCanvas's private data of a frame's clusters. */
 interface Clusters {
-  /** The first entry is empty. */
+  /** Lights in use; the first entry is empty. */
   readonly usedLights: readonly unknown[];
   readonly cells: Vec3;
   readonly maxCellLightCount: number;
@@ -13,7 +13,7 @@ interface Internals {
   readonly renderer: { readonly worldClustersAllocator: { readonly _allocated: readonly Clusters[] } };
 }
 
-/** Counts the lights of the last frame missing in some full cell, by PlayCanvas's rule. */
+/** Number of lights of the last frame that PlayCanvas's rule leaves out of some full cell. */
 export function countDropped(app: AppBase): number {
   const [clusters] = (app as unknown as Internals).renderer.worldClustersAllocator._allocated;
   if (!clusters) return 0;

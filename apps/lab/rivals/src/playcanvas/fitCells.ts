@@ -4,15 +4,15 @@ import type { RivalScene } from '../../../src/competitors/rivals/RivalScene';
 export type LightBoxes = Float32Array;
 
 export interface Cells {
-  /** Cells along x, y, z. */
+  /** Number of cells along x, y, z. */
   readonly size: readonly [x: number, y: number, z: number];
-  /** Lights in the fullest cell, by PlayCanvas's rule. */
+  /** Number of lights in the fullest cell, by PlayCanvas's rule. */
   readonly fullest: number;
 }
 
 /** Maximum number of lights of a cell: PlayCanvas counts them in a byte. */
 export const mostLightsPerCell = 255;
-/** Maximum number of entries of the lists of all cells: 64 MB of 16-bit indices. */
+/** Maximum number of entries of all cells' lists: 64 MB of 16-bit indices. */
 const mostEntries = 2 ** 25;
 
 /** Bounding boxes of the point and spot lights of a scene, at their current places. */
@@ -25,12 +25,12 @@ export function lightBoxes({ points, spots }: Pick<RivalScene, 'points' | 'spots
     }
   };
   for (let i = 0; i < points.count; i++) put(i, points.positions, i * 3, points.ranges[i]);
-  // of the sphere of the range: never smaller than PlayCanvas's box of the cone
+  // bounds of the range's sphere, never smaller than PlayCanvas's box of the cone
   spots.forEach(({ position, range }, i) => put(points.count + i, position, 0, range));
   return boxes;
 }
 
-/** Lights of the fullest cell for a width of cells (m). */
+/** Grid of cells of a width (m), and the number of lights in its fullest cell. */
 function cellsOf(boxes: LightBoxes, width: number): Cells {
   const [min, max] = [
     [Infinity, Infinity, Infinity],
@@ -60,16 +60,16 @@ function cellsOf(boxes: LightBoxes, width: number): Cells {
 }
 
 /**
- * Finds a grid of cells a third of the median light's range wide; narrower while a cell would overflow, until the lists of
- * all cells take 64 MB.
- * @param boxes - of at least one light
+ * Finds a grid of cells a third of the median light's range wide; narrower while a cell would overflow, until the lists
+ * of all cells take 64 MB.
+ * @param boxes - bounding boxes of at least one light
  */
 export function fitCells(boxes: LightBoxes): Cells {
   const reaches = Array.from({ length: boxes.length / 6 }, (_, i) => (boxes[i * 6 + 3] - boxes[i * 6]) / 2);
   reaches.sort((a, b) => a - b);
   let width = reaches[reaches.length >> 1] / 3;
   let cells = cellsOf(boxes, width);
-  // room for moving lights
+  // leaves space for lights that move between cells
   while (cells.fullest * 1.1 > mostLightsPerCell - 8) {
     width *= 0.8;
     const narrower = cellsOf(boxes, width);

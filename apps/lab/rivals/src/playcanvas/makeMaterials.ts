@@ -113,7 +113,7 @@ export class Materials {
     material.diffuseVertexColor = from.hasVertexColours;
     this.emit(material, from.emissive);
     this.map(material, 'emissiveMap', from.emissiveMap);
-    // undeclared property
+    // `ambientSH` is not declared in PlayCanvas's types
     if (this.ambientSH) Object.assign(material, { ambientSH: this.ambientSH });
   }
 

@@ -15,7 +15,7 @@ import { encode, Materials } from './makeMaterials';
 
 export const version = pc.version;
 
-/** Capacity for added lights before PlayCanvas's buffers are reallocated. */
+/** Number of lights that can be added before the grid of cells is fitted again. */
 const spareLights = 32;
 
 /** Ambient and hemisphere lights as irradiance in two bands of spherical harmonics, which represent them exactly. */
@@ -81,7 +81,7 @@ class PlayCanvasDrawing implements RivalDrawing {
   private readonly camera: pc.Entity;
   private readonly lights: pc.Entity[] = [];
   private readonly nodes: pc.Entity[] = [];
-  /** Number of lights for which the grid of cells was made. */
+  /** Maximum number of lights that the grid of cells was made for. */
   private room = 0;
   private readonly instances = new Map<number, InstanceBuffer>();
 
@@ -108,7 +108,7 @@ class PlayCanvasDrawing implements RivalDrawing {
     lighting.areaLightsEnabled = false;
     this.app.scene.ambientLight = encode(scene.ambient, 1 / Math.PI);
     this.camera = this.addCamera();
-    // finding the grid is the Lab's work, not part of PlayCanvas's first frame
+    // before the timed part: fitting the grid is the Lab's work, not part of PlayCanvas's first frame
     this.fitLighting(scene.points);
   }
 
@@ -173,7 +173,7 @@ class PlayCanvasDrawing implements RivalDrawing {
     this.app.destroy();
   }
 
-  /** Sets the grid of cells for the lights, unless it has room for them already. */
+  /** Fits the grid of cells to the lights, unless it has space for them already. */
   private fitLighting(points: RivalPoints): void {
     const { lighting } = this.app.scene;
     const { spots } = this.scene;
@@ -256,6 +256,6 @@ class PlayCanvasDrawing implements RivalDrawing {
   }
 }
 
-/** @throws Error that names what PlayCanvas cannot do */
+/** Opens PlayCanvas for a scene. @throws Error naming the unsupported feature */
 export const open = (canvas: HTMLCanvasElement, scene: RivalScene): RivalDrawing =>
   new PlayCanvasDrawing(canvas, scene);

@@ -1,6 +1,6 @@
 import { firstLine } from '../createWebGL';
 
-/** Checks the programs that a context links: one that does not compile would leave a silent hole in the picture. */
+/** Checks the programs that a context links: objects of one that does not compile would be missing silently. */
 export class LinkedPrograms {
   private readonly unchecked: WebGLProgram[] = [];
 
@@ -12,7 +12,7 @@ export class LinkedPrograms {
     };
   }
 
-  /** @throws Error with the first line of the compiler's log if a program did not compile */
+  /** Checks the programs. @throws Error with the first line of the compiler's log if a program did not compile */
   check(): void {
     const { gl } = this;
     for (const program of this.unchecked.splice(0)) {

@@ -18,9 +18,9 @@ export interface RivalScene {
   readonly textures: readonly RivalTexture[];
   readonly materials: readonly RivalMaterial[];
   readonly geometries: readonly RivalGeometry[];
-  /** Visible meshes; in the order of drawing if `isOrdered`. */
+  /** Visible meshes, in drawing order if `isOrdered`. */
   readonly meshes: readonly RivalMesh[];
-  /** Whether the scene sets the order of its opaque meshes (three's `renderOrder`); engines sort by themselves otherwise. */
+  /** Whether the scene sets the order of its opaque meshes (three's `renderOrder`); otherwise engines sort them. */
   readonly isOrdered: boolean;
 }
 
@@ -42,32 +42,32 @@ export type RivalPlacement = Float32Array;
 export interface RivalHemisphere {
   readonly sky: Rgb;
   readonly ground: Rgb;
-  /** Unit vector. */
+  /** Unit vector towards the sky (world). */
   readonly up: Xyz;
 }
 
 export interface RivalDirectional {
-  /** Times the intensity (lux). */
+  /** Colour times intensity (lux). */
   readonly colour: Rgb;
   /** Unit vector along which the light shines. */
   readonly direction: Xyz;
 }
 
 export interface RivalSpot {
-  /** Times the intensity (candela). */
+  /** Colour times intensity (candela). */
   readonly colour: Rgb;
   readonly position: Xyz;
   /** Unit vector along which the light shines. */
   readonly direction: Xyz;
   /** Range of the light; more than 0. */
   readonly range: number;
-  /** Half the angle of the cone. */
+  /** Half the angle of the cone (radians). */
   readonly angle: number;
-  /** Half the angle of the cone of full intensity, `angle` at most. */
+  /** Half the angle of the cone of full intensity (radians), at most `angle`. */
   readonly innerAngle: number;
 }
 
-/** Point lights; the i-th part of each array is light `i`. Falloff 1 / d², windowed as in KHR_lights_punctual. */
+/** Point lights; the i-th entry of each array is of light `i`. Falloff 1 / d², windowed as in KHR_lights_punctual. */
 export interface RivalPoints {
   readonly count: number;
   /** [count, 3]: colour times intensity (candela). */
@@ -90,7 +90,7 @@ export interface RivalTexture {
   readonly wrapU: RivalWrap;
   readonly wrapV: RivalWrap;
   readonly isMagLinear: boolean;
-  /** Filter between mip levels; `none`: the texture has no mip levels. */
+  /** Filter between mip levels; 'none' for a texture without mip levels. */
   readonly mipmaps: 'none' | 'nearest' | 'linear';
   readonly isMinLinear: boolean;
   /** Anisotropic filtering, 1 (none) or more. */
@@ -107,37 +107,37 @@ export interface RivalMap {
 
 export interface RivalMaterial {
   readonly name: string;
-  /** Whether the material is lit; otherwise its colour alone is shown. */
+  /** Whether the material is lit; otherwise only its colour is shown. */
   readonly isLit: boolean;
   readonly colour: Rgb;
   readonly map: RivalMap | null;
   readonly normalMap: RivalMap | null;
   /** Factors of the normal map's x and y. */
   readonly normalScale: readonly [x: number, y: number];
-  /** 0 to 1, times the map's green. */
+  /** Roughness, 0 to 1, times the map's green. */
   readonly roughness: number;
-  /** 0 to 1, times the map's blue. */
+  /** Metalness, 0 to 1, times the map's blue. */
   readonly metalness: number;
-  /** Roughness in green, metalness in blue. */
+  /** Map with roughness in green and metalness in blue. */
   readonly roughnessMetalnessMap: RivalMap | null;
   readonly emissive: Rgb;
   readonly emissiveMap: RivalMap | null;
   readonly isDoubleSided: boolean;
   readonly hasVertexColours: boolean;
-  /** Fragments with less alpha are discarded; 0 for none. */
+  /** Alpha below which fragments are discarded; 0 for none. */
   readonly alphaTest: number;
   readonly isTransparent: boolean;
   readonly opacity: number;
 }
 
 export interface RivalGeometry {
-  /** [n, 3] */
+  /** Positions, [n, 3]. */
   readonly positions: Float32Array;
-  /** [n, 3], unit vectors. */
+  /** Normals, [n, 3], unit vectors. */
   readonly normals: Float32Array;
-  /** [n, 2]; null without texture coordinates. */
+  /** Texture coordinates, [n, 2]; null for none. */
   readonly uvs: Float32Array | null;
-  /** [n, 4], linear; null without vertex colours. */
+  /** Vertex colours, [n, 4], linear; null for none. */
   readonly colours: Float32Array | null;
   /** Vertex indices, three for each triangle, counter-clockwise seen from its front. */
   readonly indices: Uint16Array | Uint32Array;
@@ -152,13 +152,13 @@ export interface RivalMesh {
 
 export interface RivalInstances {
   readonly count: number;
-  /** [count, 16]: instance to mesh, 4 × 4, column by column; the scene's own array, which may change between frames. */
+  /** [count, 16]: from instance to mesh, column-major; the scene's own array, which may change between frames. */
   readonly matrices: Float32Array;
-  /** [count, 3]: factors of the material's colour; null for none. */
+  /** Factors of the material's colour, [count, 3]; null for none. */
   readonly colours: Float32Array | null;
 }
 
-/** Another engine, open for a case. */
+/** Another engine, opened for a case. */
 export interface RivalDrawing {
   readonly gl: WebGL2RenderingContext;
   /** Makes the engine's scene, waits for its programs and draws it: the whole first frame. */
@@ -168,12 +168,12 @@ export interface RivalDrawing {
   moveCamera(): void;
   /** Copies the placement of a mesh of `RivalScene.meshes`. */
   moveMesh(mesh: number): void;
-  /** Copies `points.positions`; the lights are unchanged otherwise. */
+  /** Copies `points.positions`; nothing else of the lights has changed. */
   moveLights(points: RivalPoints): void;
   setLights(points: RivalPoints): void;
   /** Copies the matrices of a mesh's instances. */
   moveInstances(mesh: number): void;
-  /** Lights missing in some full cell of the last frame. */
+  /** Number of lights of the last frame missing in some full cell. */
   dropped(): number;
   dispose(): void;
 }
@@ -182,6 +182,6 @@ export interface RivalDrawing {
 export interface RivalModule {
   /** Version of the engine's package. */
   readonly version: string;
-  /** Makes the context; `drawFirst` makes everything else. @throws Error that names what the engine cannot do */
+  /** Creates the context; `drawFirst` creates everything else. @throws Error naming what the engine does not support */
   open(canvas: HTMLCanvasElement, scene: RivalScene, signal: AbortSignal): RivalDrawing;
 }

@@ -5,14 +5,14 @@ import type { Described } from './describeScene';
 import { placementOf } from './placementOf';
 import type { RivalDrawing, RivalPlacement, RivalPoints } from './RivalScene';
 
-/** Updates another engine's scene by movements in the case's scene since the last frame; allocates nothing. */
+/** Applies movements in the case's scene to another engine's scene each frame; allocates nothing. */
 export class SceneFollower {
   private points: RivalPoints;
-  /** Whether the engine has made its scene: until then it reads the data later anyway. */
+  /** Whether the engine has made its scene; it reads the initial poses itself. */
   private hasStarted = false;
   /** Versions of the instance matrices last sent to the engine, by mesh. */
   private readonly versions: Int32Array;
-  /** Positions of the lights that must not move: [n, 3]. */
+  /** Positions of the still lights, to check that none moves: [n, 3]. */
   private readonly places: Float32Array;
 
   constructor(
@@ -26,12 +26,12 @@ export class SceneFollower {
     this.versions = Int32Array.from(sources, (mesh) => versionOf(mesh));
   }
 
-  /** Begins to follow; call once the engine has made its scene. */
+  /** Starts applying movements; called once the engine has made its scene. */
   start(): void {
     this.hasStarted = true;
   }
 
-  /** @throws Error when a light moves that is no point light */
+  /** Applies movements since the last frame. @throws Error when another light than a point light moves */
   follow(): void {
     const { stageScene, drawing, points, described } = this;
     writePositions(stageScene.lights, points.positions);
@@ -73,7 +73,7 @@ export class SceneFollower {
         versions[i] = version;
         drawing.moveInstances(i);
       }
-      // set by whoever moves a mesh; only three's renderers reset it
+      // set by the code that moves a mesh, and reset only by three's renderers
       if (!mesh.matrixWorldNeedsUpdate) continue;
       mesh.updateWorldMatrix(true, false);
       mesh.matrixWorldNeedsUpdate = false;
@@ -87,7 +87,7 @@ const versionOf = (mesh: Mesh): number =>
 
 const next: RivalPlacement = new Float32Array(10);
 
-/** Updates a placement by an object's world matrix. @returns whether it changed */
+/** Copies an object's world matrix to a placement. @returns whether it changed */
 function updatePlacement(object: Object3D, placement: RivalPlacement): boolean {
   placementOf(object, next);
   let isChanged = false;

@@ -3,7 +3,7 @@ import type { RivalGeometry } from './RivalScene';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** An attribute as floats, `size` per vertex, missing ones 1; its own array if that has this layout. */
+/** An attribute as floats, `size` per vertex, missing components 1; the attribute's own array if it has this layout. */
 function floats(attribute: Attribute, size: number): Float32Array {
   const isPlain = !('isInterleavedBufferAttribute' in attribute) && attribute.array instanceof Float32Array;
   if (isPlain && attribute.itemSize === size) return attribute.array as Float32Array;
@@ -28,9 +28,9 @@ function indicesOf({ index, attributes }: BufferGeometry, start: number, count: 
 }
 
 /**
- * A geometry of three, or the part of it that has one material.
+ * Converts three's geometry, or the part with one material.
  * @param part - first index and number of indices; default all
- * @param isFlat - whether each triangle gets one normal, in place of the geometry's
+ * @param isFlat - whether each triangle gets one normal, replacing the geometry's
  * @throws Error when it has no positions or no normals, or morph targets
  */
 export function describeGeometry(
@@ -45,8 +45,8 @@ export function describeGeometry(
     return describeGeometry(flat, part);
   }
   const { position, normal, uv, color } = geometry.attributes as Record<string, Attribute | undefined>;
-  if (!position) throw new Error(`Geometry ${name} has no positions.`);
-  if (!normal) throw new Error(`Geometry ${name} has no normals.`);
+  if (!position) throw new Error(`Geometry ${name} has no positions: give it some.`);
+  if (!normal) throw new Error(`Geometry ${name} has no normals: compute them first.`);
   if (Object.keys(geometry.morphAttributes).length > 0) {
     throw new Error(`Geometry ${name} has morph targets: the Lab cannot give it to other engines.`);
   }

@@ -48,17 +48,15 @@ function describeSpot(light: SpotLight): RivalSpot {
   };
 }
 
-/**
- * Lights that do not move.
- * @throws Error for kinds and falloffs that the Lab does not convert
- */
+/** Converts lights that do not move. @throws Error for kinds and falloffs that the Lab does not convert */
 export function describeStillLights(lights: readonly Light[]): StillLights {
   const ambient: [number, number, number] = [0, 0, 0];
   const hemispheres: RivalHemisphere[] = [];
   const directionals: RivalDirectional[] = [];
   const spots: RivalSpot[] = [];
   for (const light of lights) {
-    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} casts shadows.`);
+    if (light.castShadow)
+      throw new Error(`Light ${light.name || 'without a name'} casts shadows: other engines get none.`);
     if ((light as AmbientLight).isAmbientLight) {
       colourOf(light).forEach((part, k) => (ambient[k] += part));
     } else if ((light as HemisphereLight).isHemisphereLight) {
@@ -79,8 +77,8 @@ export function describeStillLights(lights: readonly Light[]): StillLights {
 }
 
 /**
- * Point lights at their current places.
- * @throws Error for one without an end, of another decay than 2, or with shadows
+ * Converts point lights at their current places.
+ * @throws Error for one without range, with a decay other than 2, or with shadows
  */
 export function describePoints(lights: readonly Light[]): RivalPoints {
   const count = lights.length;
@@ -97,7 +95,8 @@ export function describePoints(lights: readonly Light[]): RivalPoints {
       );
     }
     checkFalloff(light);
-    if (light.castShadow) throw new Error(`Light ${light.name || 'without a name'} casts shadows.`);
+    if (light.castShadow)
+      throw new Error(`Light ${light.name || 'without a name'} casts shadows: other engines get none.`);
     points.colours.set(colourOf(light), i * 3);
     points.ranges[i] = light.distance;
   });

@@ -48,7 +48,7 @@ function problemOf(material: Material): string | null {
   if (of.roughnessMap && of.metalnessMap && of.roughnessMap !== of.metalnessMap) {
     return 'has roughness and metalness in two textures';
   }
-  // the engines have one map for both
+  // the engines have one map for roughness and metalness
   if (Boolean(of.roughnessMap) !== Boolean(of.metalnessMap) && (of.roughnessMap || of.metalness > 0)) {
     return 'has a texture for only one of roughness and metalness';
   }
@@ -56,15 +56,17 @@ function problemOf(material: Material): string | null {
 }
 
 function describeMap(texture: Texture, name: string, textures: (texture: Texture) => number): RivalMap {
-  if (texture.channel !== 0) throw new Error(`Material ${name} uses a second set of UVs.`);
+  if (texture.channel !== 0)
+    throw new Error(`Material ${name} uses a second set of UVs: the Lab cannot give it to other engines.`);
   if (texture.matrixAutoUpdate) texture.updateMatrix();
   const [a, b, , c, d, , u, v] = texture.matrix.elements;
-  if (Math.abs(b) > 1e-6 || Math.abs(c) > 1e-6) throw new Error(`Material ${name} rotates a texture.`);
+  if (Math.abs(b) > 1e-6 || Math.abs(c) > 1e-6)
+    throw new Error(`Material ${name} rotates a texture: the Lab cannot give it to other engines.`);
   return { texture: textures(texture), scale: [a, d], offset: [u, v] };
 }
 
 /**
- * A material of three as plain data.
+ * Converts three's material to plain data.
  * @param textures - returns a texture's index in `RivalScene.textures`
  * @throws Error that names a property that the Lab does not convert
  */

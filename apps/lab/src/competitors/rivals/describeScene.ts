@@ -20,7 +20,7 @@ import { describeTexture } from './describeTexture';
 import { placementOf } from './placementOf';
 import type { Rgb, RivalCamera, RivalInstances, RivalMaterial, RivalMesh, RivalScene } from './RivalScene';
 
-/** A list of values without duplicates: each is made once for its key. */
+/** A list of values without duplicates: one value is made for each key. */
 class Indexed<K, V> {
   readonly values: V[] = [];
   private readonly indices = new Map<K, number>();
@@ -70,7 +70,7 @@ function meshesOf({ three, camera }: StageScene): Mesh[] {
   return meshes.sort((a, b) => a.renderOrder - b.renderOrder);
 }
 
-/** Checks that every visible light is among the stage's: no engine is measured with fewer. */
+/** Checks that every visible light is among the stage's, so that no engine is measured with fewer lights. */
 function checkLights({ three, lights, still }: StageScene): void {
   const named = new Set<Object3D>([...lights, ...still]);
   three.traverseVisible((object) => {
@@ -99,8 +99,8 @@ export interface Described {
 }
 
 /**
- * A case's scene as plain data for another engine.
- * @throws Error that names a property that the Lab does not convert: nothing is left out silently
+ * Converts a case's scene to plain data for another engine.
+ * @throws Error naming a property that the Lab does not convert: nothing is left out silently
  */
 export function describeScene(stageScene: StageScene): Described {
   const { three, camera, lights, still, width, height } = stageScene;

@@ -32,7 +32,7 @@ const hasTexels = (image: unknown): image is TexelImage =>
   'data' in image &&
   (image.data instanceof Uint8Array || image.data instanceof Uint8ClampedArray);
 
-/** Texels of a picture decoded by the browser. Alpha is premultiplied meanwhile: colours of transparent texels lose bits. */
+/** Texels of a picture decoded by the browser. The canvas premultiplies alpha: transparent texels lose bits. */
 function readPicture(image: TexImageSource, name: string): TexelImage {
   const { width, height } = image as { width: number; height: number };
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
@@ -49,7 +49,7 @@ function flipRows(data: Uint8Array, width: number, height: number): Uint8Array {
 }
 
 /**
- * A texture of three as the texels that three would upload.
+ * Converts three's texture to the texels that three would upload.
  * @throws Error for compressed, floating-point and other textures that are not 8-bit RGBA
  */
 export function describeTexture(texture: Texture): RivalTexture {

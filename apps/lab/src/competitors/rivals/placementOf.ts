@@ -9,7 +9,7 @@ const again = new Matrix4();
 /**
  * World placement of an object, by its `matrixWorld`.
  * @param target - written and returned; a new array by default
- * @throws Error for a sheared object, which no placement describes
+ * @throws Error for a sheared object, which a placement cannot describe
  */
 export function placementOf(object: Object3D, target: RivalPlacement = new Float32Array(10)): RivalPlacement {
   object.matrixWorld.decompose(position, rotation, scale);

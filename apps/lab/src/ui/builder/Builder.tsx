@@ -15,7 +15,7 @@ interface BuilderProps {
   onChange(configuration: Configuration): void;
 }
 
-/** All settings of a run. Another size or other competitors keep the preset; other series make it `custom`. */
+/** All settings of a run. A changed size or choice of competitors keeps the preset; changed series make it `custom`. */
 export function Builder({ configuration, unavailable, ownScene, onChange }: BuilderProps) {
   const { series, width, height, competitors, effort } = configuration;
   const change = (changes: Partial<Configuration>): void => onChange({ ...configuration, ...changes });

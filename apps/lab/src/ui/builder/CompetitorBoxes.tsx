@@ -13,12 +13,12 @@ const entries: [string, CompetitorWords][] = Object.entries(competitorNames);
 
 interface CompetitorBoxesProps {
   chosen: readonly string[];
-  /** Reason, by key, why a competitor cannot draw here; missing while unknown, null if it can. */
+  /** Reason, by key, why a competitor cannot draw here; undefined while unknown, null if it can. */
   unavailable: Readonly<Record<string, string | null>>;
   onChange(chosen: readonly string[]): void;
 }
 
-/** Choice of the competitors; their order in the menu is that of the turns. */
+/** Choice of the competitors; turns follow the order of the menu. */
 export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBoxesProps) {
   const id = useId();
   const choose = (names: readonly string[], isOn: boolean): void => {
@@ -65,7 +65,6 @@ export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBox
 }
 
 interface CompetitorBoxProps {
-  /** Key of the competitor. */
   name: string;
   words: CompetitorWords;
   isChosen: boolean;

@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { Effort } from '../../plan/LabPlan';
 import { NumberField } from './NumberField';
 
-/** Duration and repetition of the measurements. */
+/** Fields for the duration and repetition of measurements. */
 export function EffortFields({ effort, onChange }: { effort: Effort; onChange(effort: Effort): void }) {
   const change = (changes: Partial<Effort>): void => onChange({ ...effort, ...changes });
   const bind = (name: 'rounds' | 'turn' | 'longestFrame') => ({

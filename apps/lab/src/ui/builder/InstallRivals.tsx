@@ -5,7 +5,7 @@ import { installedRivals, installRivals } from '../../competitors/installedRival
 
 type Step = 'unneeded' | 'offered' | 'installing' | 'installed';
 
-/** Button that installs missing other engines, on a page served by `npm start`. */
+/** Button that installs other engines, on a page served by `npm start`; nothing when they are installed. */
 export function InstallRivals() {
   const [step, setStep] = useState<Step>('unneeded');
   const [problem, setProblem] = useState<string | null>(null);

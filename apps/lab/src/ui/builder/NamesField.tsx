@@ -5,12 +5,12 @@ interface NamesFieldProps {
   label: string;
   /** Texts of the options, by index. */
   words: readonly LightKindWords[];
-  /** Indices of the chosen ones, ascending. */
+  /** Indices of the chosen options, ascending. */
   values: readonly number[];
   onChange(values: readonly number[]): void;
 }
 
-/** A checkbox for each value of an axis of names. The last chosen one cannot be unchecked. */
+/** A checkbox for each value of an axis of names. The last chosen value cannot be unchecked. */
 export function NamesField({ label, words, values, onChange }: NamesFieldProps) {
   const choose = (index: number, isOn: boolean): void => {
     const next = isOn ? [...values, index].sort((a, b) => a - b) : values.filter((value) => value !== index);

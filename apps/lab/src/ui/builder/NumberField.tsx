@@ -12,7 +12,7 @@ interface NumberFieldProps {
   onChange(value: number): void;
 }
 
-/** Field of a number within bounds. A number outside of them is marked and not reported. */
+/** Field for a number within bounds. A number out of bounds is marked as invalid and not reported. */
 export function NumberField({ label, value, min, max, step = 1, unit, isDisabled, onChange }: NumberFieldProps) {
   const id = useId();
   const [text, setText] = useState(String(value));

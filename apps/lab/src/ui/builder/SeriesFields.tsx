@@ -22,7 +22,7 @@ interface SeriesFieldsProps {
   /** Name of the handed-over scene; null for none. */
   ownScene: string | null;
   onChange(series: SeriesChoice): void;
-  /** Removes the series; missing for the only one. */
+  /** Removes the series; absent for the only one. */
   onRemove?(): void;
 }
 
@@ -160,7 +160,7 @@ function valuesLabel(axis: Axis): string {
   return axis === 'pixels' ? t('Values: {unit}, in thousands', { unit }) : t('Values: {unit}', { unit });
 }
 
-/** Explanations of the kind of lights and the shading, if not the ordinary ones. */
+/** Explanations of the kind of lights and the shading, unless they are the defaults. */
 function hintsOf({ axis, lightKind = 'points', shading = 'own' }: SeriesChoice): string[] {
   const kind = axis === 'kind' || lightKind === 'points' ? [] : [t(lightKinds[lightKind].help)];
   return axis === 'shading' || shading === 'own' ? kind : [...kind, t(shadings[shading].help)];
@@ -171,7 +171,7 @@ function rangesWith(chosen: number | null | undefined): number[] {
   return [...new Set([0.5, 1, 2, 4, 8, ...(chosen == null ? [] : [chosen])])].sort((a, b) => a - b);
 }
 
-/** An axis with its initial values. */
+/** An axis with its default values. */
 function startOf(axis: Axis): Pick<SeriesChoice, 'axis' | 'values' | 'lights' | 'lightKind'> {
   const values: Record<Axis, number[]> = {
     lights: [10, 100, 1000],

@@ -10,7 +10,7 @@ interface SizeFieldsProps {
   onChange(size: { width: number; height: number }): void;
 }
 
-/** Size of the picture: an ordinary one, or any other. */
+/** Size of the picture: a common one, or any other. */
 export function SizeFields({ width, height, onChange }: SizeFieldsProps) {
   const now = `${width} × ${height}`;
   const choose = (text: string): void => {

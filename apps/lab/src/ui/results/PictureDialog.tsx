@@ -10,7 +10,7 @@ import { psnrText, type TableRow } from './rowColumns';
 interface PictureDialogProps {
   plan: LabPlan;
   row: TableRow;
-  /** Row of the reference picture; null if the run does not have it. */
+  /** Row of the reference picture; null if the run has none. */
   reference: TableRow | null;
   onClose(): void;
 }
@@ -80,7 +80,7 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
   );
 }
 
-/** The picture of a row: as drawn if it is still in memory, otherwise the thumbnail; null while that is decoded. */
+/** Picture of a row: the original if still in memory, otherwise the thumbnail; null while that is being decoded. */
 function usePixels(plan: LabPlan, row: TableRow | null): ImageData | null {
   const sharp = row ? sharpPicture(plan, row) : undefined;
   const [small, setSmall] = useState<ImageData | null>(null);

@@ -1,9 +1,10 @@
 import { t } from '@farol/editing';
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun } from '../../results/LabRun';
+import { caseText } from '../../words/names';
 import { Select } from '../Select';
 import { PictureDialog } from './PictureDialog';
-import { caseText, psnrText, tableRows, type TableRow } from './rowColumns';
+import { psnrText, tableRows, type TableRow } from './rowColumns';
 
 /** Pictures of a case by all competitors, with their likeness to the reference. */
 export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
@@ -16,7 +17,7 @@ export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   const those = rows.filter((row) => caseKey(row) === current).sort((a, b) => a.competitorIndex - b.competitorIndex);
   const options = cases.map((key) => {
     const { seriesLabel, seriesIndex, index } = rows.find((row) => caseKey(row) === key)!;
-    return [key, `${seriesLabel}: ${caseText(run.plan, seriesIndex, index)}`] as const;
+    return [key, `${seriesLabel}: ${caseText(run.plan.series[seriesIndex], index)}`] as const;
   });
   return (
     <>

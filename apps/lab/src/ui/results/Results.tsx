@@ -17,7 +17,7 @@ interface ResultsProps {
   isRunning: boolean;
   /** Ref of the heading. */
   title: RefObject<HTMLHeadingElement | null>;
-  /** Buttons for the run. */
+  /** Controls for the run. */
   actions: ComponentChildren;
 }
 
@@ -56,7 +56,7 @@ export function Results({ run, isReference, isRunning, title, actions }: Results
   );
 }
 
-/** The table of all rows, rendered when it is opened: it is by far the largest part of the page. */
+/** The table of all rows, rendered once opened, since it is by far the largest part of the page. */
 function AllRows({ run }: { run: LabRun }) {
   const [isOpen, setOpen] = useState(false);
   return (

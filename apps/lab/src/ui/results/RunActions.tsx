@@ -13,7 +13,6 @@ import { messageOf } from '../../run/messageOf';
 interface RunActionsProps {
   run: LabRun;
   isReference: boolean;
-  /** Whether a scene was handed over. */
   hasOwnScene: boolean;
   onRename(name: string): void;
   onMeasure(configuration: Configuration): void;

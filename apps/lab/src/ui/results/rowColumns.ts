@@ -1,6 +1,6 @@
 import { formatCount, t } from '@farol/editing';
 import { competitorNames } from '../../competitors/competitorNames';
-import { type Axis, isNamed, type LabCase, type LabPlan } from '../../plan/LabPlan';
+import { type Axis, isNamed, type LabCase } from '../../plan/LabPlan';
 import { lightKinds, shadingNames, shadings } from '../../plan/lightKinds';
 import type { LabRow, LabRun, Spread } from '../../results/LabRun';
 import { formatBytes, formatNumber } from '../../words/format';
@@ -31,7 +31,7 @@ export interface RowColumn {
 
 const order = Object.keys(competitorNames);
 
-/** Rows of a run with their cases. Rows of series or cases outside of the plan are left out. */
+/** Rows of a run with their cases. Rows whose series or case is not in the plan are left out. */
 export function tableRows({ plan, rows }: Pick<LabRun, 'plan' | 'rows'>): TableRow[] {
   return rows.flatMap((row) => {
     const seriesIndex = plan.series.findIndex(({ name }) => name === row.series);
@@ -55,21 +55,17 @@ const spread = (key: 'frame' | 'gpu' | 'cpu', label: string, help: string): RowC
   text: (row) => spreadText(row[key]),
 });
 
-const number = (key: string, label: string, help: string, get: (row: TableRow) => number | null): RowColumn => ({
-  ...{ key, label, help, order: get },
-  text: (row) => {
-    const value = get(row);
-    return value === null ? '–' : formatNumber(value);
-  },
-});
-
-const bytes = (key: string, label: string, help: string, get: (row: TableRow) => number | null): RowColumn => ({
-  ...{ key, label, help, order: get },
-  text: (row) => {
-    const value = get(row);
-    return value === null ? '–' : formatBytes(value);
-  },
-});
+const figure =
+  (format: (value: number) => string) =>
+  (key: string, label: string, help: string, get: (row: TableRow) => number | null): RowColumn => ({
+    ...{ key, label, help, order: get },
+    text: (row) => {
+      const value = get(row);
+      return value === null ? '–' : format(value);
+    },
+  });
+const number = figure(formatNumber);
+const bytes = figure(formatBytes);
 
 const change = (key: 'added' | 'changed', label: string, help: string): RowColumn => ({
   ...{ key, label, help },
@@ -158,12 +154,4 @@ export function spreadText(spread: Spread | null): string {
 export function psnrText(likeness: LabRow['likeness']): string {
   if (!likeness) return '–';
   return likeness.psnr === null ? t('equal') : likeness.psnr.toFixed(1);
-}
-
-/** Value of a case along its axis: `100`, `1280 × 720`, `rectangles`. */
-export function caseText(plan: LabPlan, series: number, index: number): string {
-  const { axis, cases, values } = plan.series[series];
-  const { width, height } = cases[index];
-  if (isNamed(axis)) return namedValue(axis, values[index]);
-  return axis === 'pixels' ? `${width} × ${height}` : formatCount(values[index]);
 }

@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import type { LabRow, LabRun } from '../../results/LabRun';
 
-/** Whether a run was cancelled before its first figure; competitors that cannot draw here may have been noted. */
+/** Whether a run was cancelled before its first figure; rows of competitors that cannot draw here do not count. */
 export function isEmptyRun({ complete, rows }: Pick<LabRun, 'complete' | 'rows'>): boolean {
   return !complete && rows.every(({ frame }) => frame === null) && !rows.some(isLate);
 }

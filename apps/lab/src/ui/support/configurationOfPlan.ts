@@ -6,7 +6,7 @@ import { presets } from '../../plan/presets';
 /**
  * Configuration from which a plan was made, to measure a run again or link to it.
  *
- * @returns null if no configuration makes the plan, as for a run of another version
+ * @returns null if no configuration leads to the plan, as for a run of another version
  */
 export function configurationOfPlan(plan: LabPlan): Configuration | null {
   const size = sizeOf(plan);
@@ -27,7 +27,7 @@ export function configurationOfPlan(plan: LabPlan): Configuration | null {
 
 const casesText = ({ series }: LabPlan): string => JSON.stringify(series.map(({ axis, cases }) => [axis, cases]));
 
-/** Size of the picture: of any series but those over pixels, of which the largest case has the most exact aspect ratio. */
+/** Size of the picture: of any series not over pixels, else of the largest case, whose aspect ratio is most exact. */
 function sizeOf({ series }: LabPlan): { width: number; height: number } | null {
   const fixed = series.find(({ axis }) => axis !== 'pixels') ?? series[0];
   const last = fixed?.cases[fixed.cases.length - 1];

@@ -6,7 +6,7 @@ import { estimate, planOf } from '../../plan/planOf';
 import { roughDuration } from './formatDuration';
 import { messageOf } from '../../run/messageOf';
 
-/** A plan, or the reason, a sentence, why a configuration makes none. */
+/** A plan, or the reason, a sentence, why a configuration is invalid. */
 export type Planned = { plan: LabPlan; problem: null } | { plan: null; problem: string };
 
 /** Makes the plan of a configuration. @param hasOwnScene - whether a scene was handed over */

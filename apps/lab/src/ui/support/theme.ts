@@ -1,9 +1,9 @@
-/** Colours of the page: `system` follows the system's setting. */
+/** Theme of the page: 'system' follows the operating system's setting. */
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'farol-lab-theme';
 
-/** The stored theme; `system` without one or without storage. */
+/** The stored theme; 'system' if none is stored, or without storage. */
 export function storedTheme(): Theme {
   try {
     const value = localStorage.getItem(KEY);

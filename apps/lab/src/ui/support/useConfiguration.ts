@@ -10,7 +10,7 @@ export interface ConfigurationState {
   setConfiguration(configuration: Configuration): void;
 }
 
-/** Configuration of the address; the preset Quick for an address without one. */
+/** Configuration of the address; the preset Quick if the address has none. */
 export function useConfiguration(): ConfigurationState {
   const [state, setState] = useState(readAddress);
   useEffect(() => {
@@ -19,7 +19,7 @@ export function useConfiguration(): ConfigurationState {
     return () => removeEventListener('hashchange', read);
   }, []);
   const setConfiguration = useCallback((configuration: Configuration) => {
-    // no entry in the history for each keystroke
+    // replaced, so that keystrokes do not add entries to the browser's history
     history.replaceState(null, '', linkOf(configuration));
     setState({ configuration, problems: [] });
   }, []);

@@ -7,7 +7,7 @@ import type { StageFrames } from '../../run/StageFrames';
 import { holdPicture } from './sharpPictures';
 import { messageOf } from '../../run/messageOf';
 
-/** Time between two updates of the progress (ms). */
+/** Interval between updates of the progress (ms). */
 const WORDS = 200;
 
 export interface Running {
@@ -39,7 +39,7 @@ export interface RunState {
    * @returns the run, complete or cancelled; null if it failed
    */
   start(plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null>;
-  /** Cancels the run after the current turn; its rows stay. */
+  /** Cancels the run after the current turn; its rows are kept. */
   cancel(): void;
 }
 
@@ -49,7 +49,7 @@ export interface Prepared {
   readonly mostContexts: number;
 }
 
-/** Starts runs, and holds the progress of the current one. */
+/** Starts runs, and returns the progress of the current one. */
 export function useRun(): RunState {
   const [running, setRunning] = useState<Running | null>(null);
   const [isStarting, setStarting] = useState(false);
@@ -59,7 +59,7 @@ export function useRun(): RunState {
   const isRunning = running !== null;
   useEffect(() => {
     if (!isRunning) return;
-    // closing the tab would lose the rows
+    // asks the user, since closing the tab would lose the rows
     const ask = (event: BeforeUnloadEvent): void => event.preventDefault();
     addEventListener('beforeunload', ask);
     return () => removeEventListener('beforeunload', ask);
@@ -117,7 +117,7 @@ export function useRun(): RunState {
   return { running, isStarting, problem, start, cancel };
 }
 
-/** Waits until the page has drawn its changes, 250 ms at most: a hidden page draws nothing. */
+/** Waits until the page has drawn its changes, at most 250 ms, since a hidden page does not draw. */
 function drawn(): Promise<void> {
   return new Promise((resolve) => {
     setTimeout(resolve, 250);
@@ -125,7 +125,7 @@ function drawn(): Promise<void> {
   });
 }
 
-/** Copy of the rows so far as a run, which later turns do not change. */
+/** Copy of the rows so far as a run, which is not changed by later turns. */
 function partial(plan: LabPlan, surroundings: LabSurroundings, progress: Progress | null, duration: number): LabRun {
   return {
     format: 'farol-lab-run',

@@ -5,7 +5,7 @@ import { messageOf } from '../../run/messageOf';
 import { isSoftware } from '../../words/device';
 
 export interface ShownRun {
-  /** Null while the reference is fetched, or without one. */
+  /** The displayed run; null while a reference is fetched, or without one. */
   readonly run: LabRun | null;
   /** Whether the run is a reference of the repository. */
   readonly isReference: boolean;
@@ -34,7 +34,7 @@ export function useShownRun(): ShownRun {
   return { run, isReference, problem, show };
 }
 
-/** The reference to display first: of a graphics card and the preset Quick if possible. */
+/** The reference that is displayed first: measured on a graphics card, with the preset Quick, if possible. */
 function firstReference(): ReferenceRun | undefined {
   const rank = (run: ReferenceRun): number =>
     (isSoftware(run.info.device) ? 2 : 0) + (run.info.label === 'Quick' ? 0 : 1);

@@ -5,7 +5,7 @@ import { surroundingsOf } from '../../results/surroundings';
 import { messageOf } from '../../run/messageOf';
 import { createStageFrames, type StageFrames } from '../../run/StageFrames';
 
-/** The machine that draws. */
+/** The device that draws. */
 export interface Device {
   /** Surroundings of a run that would begin now. */
   readonly surroundings: LabSurroundings;
@@ -15,18 +15,18 @@ export interface Device {
 }
 
 export interface StageState {
-  /** Null while the frame loads. */
+  /** The device; null while the frame loads. */
   readonly device: Device | null;
   /** Reason, a sentence, why nothing can be measured. */
   readonly problem: string | null;
-  /** Reason, by key, why a competitor cannot draw here; null if it can, missing while unknown. */
+  /** Reason, by key, why a competitor cannot draw here; null if it can, undefined while unknown. */
   readonly unavailable: Readonly<Record<string, string | null>>;
   frames(): StageFrames;
-  /** Removes the frames; the next call of `frames` makes new ones. */
+  /** Removes the frames; the next call of `frames` creates new ones. */
   close(): void;
 }
 
-/** Frames of `stage.html`, and the abilities of the machine and the competitors by the first of them. */
+/** Frames of `stage.html`; limits of the device and of the competitors, read from the first frame. */
 export function useStage(): StageState {
   const made = useRef<StageFrames | null>(null);
   const [device, setDevice] = useState<Device | null>(null);
@@ -50,7 +50,7 @@ export function useStage(): StageState {
       const reasons = await Promise.all(names.map((name) => stage.unavailable(name).catch(messageOf)));
       if (!isOver) setUnavailable(Object.fromEntries(names.map((name, index) => [name, reasons[index]])));
     };
-    // after the charts are drawn
+    // delayed until the charts are drawn
     const timer = setTimeout(() => void query().catch((error) => isOver || setProblem(messageOf(error))), 50);
     return () => {
       isOver = true;

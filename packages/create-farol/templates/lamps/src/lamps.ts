@@ -2,17 +2,17 @@ import { Color, Group, Mesh, MeshBasicMaterial, PointLight, SphereGeometry } fro
 
 const bulb = new SphereGeometry(0.05, 12, 8);
 
-/** 200 lamps, each a light with a bulb that shows where it is. */
+/** 200 lamps, each a light with a visible bulb. */
 export const lamps = new Group();
 for (let i = 0; i < 200; i++) {
   const colour = new Color().setHSL((i * 0.37) % 1, 0.8, 0.6);
-  // intensity in candela; the range in metres says how far a lamp reaches: short ranges are fast
+  // intensity in candela, range in metres: lights of short range are fast
   const lamp = new PointLight(colour, 2, 3);
   lamp.add(new Mesh(bulb, new MeshBasicMaterial({ color: colour })));
   lamps.add(lamp);
 }
 
-/** Puts each lamp on its way round the middle, by the time in seconds. */
+/** Moves each lamp on its orbit, to a time in seconds. */
 export function moveLamps(seconds = 0) {
   lamps.children.forEach((lamp, i) => {
     const radius = 1 + 9 * Math.sqrt(i / 200);

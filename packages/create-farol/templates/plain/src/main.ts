@@ -26,7 +26,7 @@ function resize() {
 addEventListener('resize', resize);
 resize();
 
-await farol.compileAsync(scene, camera); // so that the first frame is whole
+await farol.compileAsync(scene, camera); // compiles all programs, so that the first frame is complete
 webgl.setAnimationLoop((milliseconds) => {
   moveLamps(milliseconds / 1000);
   controls.update();

@@ -11,7 +11,7 @@ import {
 const grey = new MeshStandardMaterial({ color: 'gray', roughness: 0.5 });
 const gold = new MeshStandardMaterial({ color: 'gold', roughness: 0.3, metalness: 0.6 });
 
-/** A floor with a knot in the middle, and columns and balls round it. */
+/** A floor with a knot in the middle, surrounded by columns and balls. */
 export const objects = new Group();
 const floor = new Mesh(new PlaneGeometry(60, 60), grey);
 floor.rotation.x = -Math.PI / 2;

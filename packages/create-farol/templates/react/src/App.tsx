@@ -4,7 +4,7 @@ import { lamps, moveLamps } from './lamps';
 
 const columns = Array.from({ length: 12 }, (_, i) => ((i + 0.5) / 6) * Math.PI);
 
-/** 200 lamps that move; lights written as `<pointLight>` are drawn just as well. */
+/** 200 moving lamps; lights written as `<pointLight>` elements work as well. */
 function Lamps() {
   useFrame(({ clock }) => moveLamps(clock.elapsedTime));
   return <primitive object={lamps} />;

@@ -5,12 +5,12 @@ import { compileScript, runInPage, SceneScripts } from '@farol/engine/scripts';
 import { registerSceneAssets } from '@farol/scenes';
 import * as three from 'three';
 
-/** File that the editor saved, .farol or .json; put yours into public/ and its name here. */
+/** File saved by the editor, .farol or .json; put yours into public/ and its name here. */
 const file = './scene.json';
 
 const app = new engine.App({ parent: document.body, renderer: { antialias: true } });
 const assets = new engine.AssetLibrary({ renderer: app.webgl });
-registerSceneAssets(assets); // meshes of Farol's demo scenes, for scenes that began as one
+registerSceneAssets(assets); // meshes of Farol's demo scenes, for scenes that are based on one
 const registry = new engine.ComponentRegistry(engine.builtinComponents.types.values(), { keepUnknown: true });
 
 const response = await fetch(file);

@@ -12,12 +12,12 @@ const place = new Vector3();
 const turn = new Quaternion();
 const scale = new Vector3();
 
-/** Takes Grabbables of a scene by one hand. */
+/** Grabs, carries and releases Grabbables of a scene with one hand. */
 export class XRGrab {
   /** Object that is held; null for none. */
   held: GameObject | null = null;
   private did = false;
-  /** Pose of the object as the grip sees it. */
+  /** Pose of the held object in the grip's space. */
   private readonly offset = new Matrix4();
   private readonly last = new Vector3();
   private readonly velocity = new Vector3();
@@ -25,7 +25,7 @@ export class XRGrab {
 
   constructor(private readonly hand: XRHand) {}
 
-  /** Takes, carries or lets go of an object. @param others - the hands, from which it takes what they hold */
+  /** Grabs, carries or releases an object. @param others - all hands; an object held by another hand changes over */
   update(scene: Scene, seconds: number, others: readonly XRGrab[]): void {
     const { isHolding } = this.hand;
     if (isHolding && !this.did) this.grab(scene, others);

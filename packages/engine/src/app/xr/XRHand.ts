@@ -16,14 +16,14 @@ const DEAD_ZONE = 0.15;
 
 const alive = (value: number): number => (Math.abs(value) < DEAD_ZONE ? 0 : value);
 
-/** A hand of the user's: a controller, or a hand that is tracked, with what is shown of it. */
+/** A hand of the user, a controller or a tracked hand, with its visible model. */
 export class XRHand {
-  /** Its place; not visible while it is not tracked. */
+  /** Pose of the hand; invisible while the hand is not tracked. */
   readonly grip: Group;
-  /** Points along its -z. */
+  /** Pointing ray, along the group's -z. */
   readonly ray: Group;
   private source: XRInputSource | null = null;
-  /** Buttons that hold: the grip, or a pinch. */
+  /** Number of pressed grab buttons: the grip, or a pinch. */
   private heldButtons = 0;
   private readonly visuals: readonly (Mesh | Line)[];
   private readonly endings: (() => void)[] = [];

@@ -14,10 +14,10 @@ import {
 import type { CharacterController } from '../../components/CharacterController';
 import type { XRHand } from './XRHand';
 
-/** Deflections of a stick from which on it turns or aims, and below which it may do so again. */
+/** Stick deflections (0 to 1): above the first it turns or aims, below the second it is ready to do so again. */
 const PUSHED = 0.7;
 const RELEASED = 0.4;
-/** Farthest teleport (m), and least upward part of the normal of a floor. */
+/** Farthest teleport (m), and smallest vertical part of a floor's unit normal. */
 const FARTHEST = 12;
 const LEVEL = 0.7;
 
@@ -37,7 +37,7 @@ export interface WalkSettings {
   readonly teleports: boolean;
 }
 
-/** Walks, turns and teleports the floor under a user of a headset. */
+/** Walks, turns and teleports the rig under a user of a headset. */
 export class XRWalk {
   private hasTurned = false;
   private aims = false;
@@ -50,7 +50,7 @@ export class XRWalk {
 
   /**
    * @param rig - floor that is moved
-   * @param own - what is not a floor: hands and markers
+   * @param own - objects that cannot be teleported to: hands and markers
    */
   constructor(
     private readonly rig: Object3D,
@@ -81,7 +81,7 @@ export class XRWalk {
     this.marker.material.dispose();
   }
 
-  /** Along where the head looks. */
+  /** Walks in the direction that the head faces. */
   private walk(hand: XRHand, speed: number, seconds: number, character: CharacterController | null): void {
     this.camera.getWorldDirection(front).setY(0).normalize();
     walkStep.crossVectors(front, UP).multiplyScalar(hand.right).addScaledVector(front, -hand.back).clampLength(0, 1);
@@ -94,7 +94,7 @@ export class XRWalk {
     if (side < RELEASED) this.hasTurned = false;
     if (side < PUSHED || this.hasTurned || this.aims) return;
     this.hasTurned = true;
-    // round the head, which may stand beside the middle of the floor
+    // turns about the head, which may be off the rig's origin
     this.camera.getWorldPosition(head);
     this.rig.quaternion.premultiply(turn.setFromAxisAngle(UP, -Math.sign(hand.right) * step));
     this.rig.updateWorldMatrix(true, true);
@@ -127,7 +127,7 @@ export class XRWalk {
     this.target = null;
   }
 
-  /** Level place that a ray meets first; null for none. */
+  /** First point that a ray hits, where the surface is level; otherwise null. */
   private find(ray: Object3D): Vector3 | null {
     const { caster } = this;
     caster.far = FARTHEST;
@@ -143,7 +143,7 @@ export class XRWalk {
     return true;
   }
 
-  /** @param by - in the world (m) */
+  /** @param by - displacement in world space (m) */
   private move(by: Vector3): void {
     const { rig } = this;
     rig.getWorldPosition(place).add(by);

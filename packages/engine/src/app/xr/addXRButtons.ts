@@ -1,10 +1,10 @@
 import { playInXR, type XRMode, xrModes, type XRStage } from './playInXR';
 
 /**
- * Adds a button to an element for each mode of sessions that the device has; none where there is no headset.
+ * Adds a button to an element for each kind of session that the device supports; none without a headset.
  * @param labels - texts of the buttons
- * @param getStage - gives what a session shows that begins now
- * @param failed - gets why a session did not begin
+ * @param getStage - returns the stage of a session that begins now
+ * @param failed - called with the reason when a session does not begin
  */
 export async function addXRButtons(
   parent: HTMLElement,

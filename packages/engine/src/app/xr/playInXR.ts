@@ -10,29 +10,29 @@ import { XRWalk } from './XRWalk';
 /** Modes of a WebXR session: in a scene of its own, or laid over the room. */
 export type XRMode = 'immersive-vr' | 'immersive-ar';
 
-/** Scene of a session, and how the page draws it without one. */
+/** Scene of an XR session, and the control of the page's own frames. */
 export interface XRStage {
   readonly picture: PictureRenderer;
   readonly scene: Scene;
   /** Camera at whose place the session begins, where the scene has no XRRig. */
   readonly camera: Camera;
-  /** Lets the scene go on. @param seconds - since the last frame, 0.1 at most */
+  /** Advances the scene. @param seconds - since the last frame, 0.1 at most */
   advance(seconds: number): unknown;
-  /** Ends the page's own frames; the session draws. */
+  /** Stops the page's own frames while the session draws. */
   pause(): unknown;
-  /** Draws by the page's own frames again. */
+  /** Resumes the page's own frames. */
   resume(): unknown;
 }
 
 /** Height of the eyes over the floor where a scene has no XRRig (m). */
 const EYES = 1.6;
 const LONGEST_STEP = 0.1;
-/** Walk in scenes without an XRRig. */
+/** Walk settings of scenes without an XRRig (m/s, rad). */
 const DEFAULTS = { speed: 2, turnStep: Math.PI / 6, teleports: true };
 
-/** Modes that the device has and the page may use, of 'immersive-vr' and 'immersive-ar'. */
+/** Session modes that the device supports and the page may use. */
 export async function xrModes(): Promise<XRMode[]> {
-  // Chromium reports an error in the console where a frame's policy forbids headsets and a page asks for them
+  // Chromium logs an error when a page queries WebXR and its permissions policy forbids it
   const { featurePolicy } = document as { featurePolicy?: { allowsFeature(name: string): boolean } };
   const xr = featurePolicy?.allowsFeature('xr-spatial-tracking') === false ? undefined : navigator.xr;
   const modes: XRMode[] = ['immersive-vr', 'immersive-ar'];
@@ -97,7 +97,7 @@ export async function playInXR(stage: XRStage, mode: XRMode): Promise<XRSession>
   return session;
 }
 
-/** Puts a floor under a camera of the scene, turned as it looks, upright. */
+/** Puts `space`, the floor, below a camera of the scene: upright, with the camera's heading. */
 function standAt(space: Group, camera: Camera, scene: Scene): void {
   const front = camera.getWorldDirection(new Vector3());
   camera.getWorldPosition(space.position).y -= EYES;

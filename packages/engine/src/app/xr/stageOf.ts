@@ -2,7 +2,7 @@ import { PerspectiveCamera } from 'three';
 import type { App } from '../App';
 import type { XRStage } from './playInXR';
 
-/** Stage of an App: its scene, going on as far as the App's loop runs. */
+/** Stage of an App: its scene, advanced as far as the App was running and playing. */
 export function stageOf(app: App): XRStage {
   const { scene, picture, running } = app;
   return {

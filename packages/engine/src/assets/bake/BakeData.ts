@@ -34,7 +34,7 @@ export interface ProbeData {
   readonly coefficients: Float32Array<ArrayBuffer>;
 }
 
-/** Baked light of a scene, as a file of it holds it. */
+/** Baked light of a scene, in the form of its file. */
 export interface BakeData {
   /** Signature of the scene at the time of the bake: see `bakeSignature`. */
   readonly signature: string;

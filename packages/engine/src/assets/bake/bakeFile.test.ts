@@ -8,7 +8,7 @@ import { readBake } from './readBake';
 import { gradient } from '../../bake/testing/smallBake';
 import { writeBake } from './writeBake';
 
-/** A colour as a screen shows it, 0 to 255. */
+/** sRGB value (0 to 255) of a linear colour. */
 const shown = (linear: number): number =>
   255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.min(linear, 1) ** (1 / 2.4) - 0.055);
 
@@ -36,7 +36,7 @@ describe('a lightmap in a file', () => {
     for (let i = 0; i < data.length; i++) {
       const [is, was] = [DataUtils.fromHalfFloat(data[i]), DataUtils.fromHalfFloat(lightmap.data[i])];
       worstShown = Math.max(worstShown, Math.abs(shown(is) - shown(was)));
-      // below that a half float itself is coarser
+      // half floats below this value are coarser than that
       if (was > 6.2e-5) worst = Math.max(worst, Math.abs(is - was) / was);
     }
     expect(worstShown).toBeLessThan(1);

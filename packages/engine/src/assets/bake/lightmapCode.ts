@@ -13,7 +13,7 @@ export async function deflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Arra
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** @param length - bytes that must come out @throws TypeError (as a rejection) when others do */
+/** @param length - expected size (bytes) @throws TypeError (as a rejection) when others do */
 export const inflate = (bytes: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array<ArrayBuffer>> =>
   unpack(bytes, 'deflate-raw', { exact: length }).catch((cause: unknown) => {
     // browsers throw errors of different classes for damaged bytes
@@ -44,9 +44,9 @@ function predictionAt(plane: Int32Array, i: number, x: number, y: number, width:
 }
 
 /**
- * Packs a lightmap: each channel as a number of 12 bits, green and blue as how they differ from red, each texel as how
- * it differs from what is likely beside those before it, low and high bytes apart; deflated. What is shown of it is off
- * by no more than 1/255; a channel by 1/256 of itself.
+ * Packs a lightmap: channels of 12 bits, green and blue as differences from red, each texel as its difference from the
+ * prediction by its neighbours, low and high bytes apart; deflated. A displayed value is off by at most 1/255, a
+ * channel by 1/256 of its value.
  */
 export function packLightmap({ width, height, data }: LightmapData): Promise<Uint8Array<ArrayBuffer>> {
   const count = width * height;
@@ -69,7 +69,7 @@ export function packLightmap({ width, height, data }: LightmapData): Promise<Uin
   return deflate(bytes);
 }
 
-/** Unpacks what `packLightmap` made. @throws TypeError when the bytes are of another size, or damaged */
+/** Unpacks the result of `packLightmap`. @throws TypeError when the bytes have the wrong size, or are damaged */
 export async function unpackLightmap(
   packed: Uint8Array<ArrayBuffer>,
   width: number,

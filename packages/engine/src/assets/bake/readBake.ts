@@ -25,7 +25,7 @@ const isCount = (value: unknown, most: number): value is number =>
 const isTriple = (value: unknown): value is [number, number, number] =>
   Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
 
-/** Reader of a file's parts, which follow one another. */
+/** Reads the parts of a file in sequence. */
 class Parts {
   private at = 0;
 
@@ -72,7 +72,7 @@ function readHead(parts: Parts): BakeHead {
 }
 
 function readMeshes(head: BakeHead, bytes: Uint8Array): LightmappedMesh[] {
-  // each coded number takes at least one byte of the file
+  // each coded number is at least one byte of the file
   const numbers = head.meshes.reduce((sum, { vertices, triangles }) => sum + 3 * vertices + 3 * triangles, 0);
   if (numbers > bytes.length) damaged();
   const reader = new NumberReader(bytes);
@@ -108,7 +108,7 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const head = readHead(parts);
     const packed = head.lightmaps.map((lightmap) => parts.readBytes(lightmap.bytes));
     const lightmaps: LightmapData[] = [];
-    // one after another: unpacking takes several times a lightmap's size
+    // sequentially: unpacking needs several times a lightmap's size
     for (const [i, { width, height }] of head.lightmaps.entries()) {
       lightmaps.push(await unpackLightmap(packed[i], width, height));
     }
@@ -117,7 +117,7 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const { signature, lights, sky, channel } = head;
     return new BakedLight({ signature, lights, hasSky: sky === true, channel, lightmaps, meshes, probes });
   } catch (error) {
-    // JSON and deflate say what no user can mend
+    // messages of JSON.parse and inflate do not help a user
     if (error instanceof SyntaxError || error instanceof TypeError) damaged();
     throw error;
   }

@@ -35,7 +35,7 @@ export interface BakeHead {
   } | null;
 }
 
-/** Second UVs, in steps of 1/65535, source vertices and indices: each number as how it differs from the one before. */
+/** Lightmap UVs in steps of 1/65535, source vertices and indices, as differences from the previous number. */
 function meshNumbers(meshes: readonly LightmappedMesh[]): Uint8Array<ArrayBuffer> {
   const writer = new NumberWriter();
   for (const { uv1, sourceVertex, index } of meshes) {
@@ -49,7 +49,7 @@ function meshNumbers(meshes: readonly LightmappedMesh[]): Uint8Array<ArrayBuffer
   return writer.result;
 }
 
-/** Half floats of the coefficients, low and high bytes apart, those of one coefficient together. */
+/** Half floats of the coefficients, low and high bytes apart, grouped by coefficient. */
 function probeBytes(coefficients: Float32Array): Uint8Array<ArrayBuffer> {
   const count = coefficients.length / 27;
   const bytes = new Uint8Array(2 * coefficients.length);

@@ -11,8 +11,8 @@ export interface ClipKey {
   /** Interpolation to the next key; 'linear' when absent. Flags, choices and texts always step. */
   readonly easing?: Easing;
   /**
-   * With 'bezier': the two inner control points of the curve to the next key, as shares of the way in time (0 to 1) and
-   * in value, as of CSS's `cubic-bezier`; [1/3, 1/3, 2/3, 2/3], a straight line, when absent.
+   * With 'bezier': the two inner control points of the curve to the next key, as fractions of the interval in time (0
+   * to 1) and in value, as in CSS's `cubic-bezier`; [1/3, 1/3, 2/3, 2/3], a straight line, when absent.
    */
   readonly control?: readonly [x1: number, y1: number, x2: number, y2: number];
 }

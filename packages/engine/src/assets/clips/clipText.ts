@@ -1,9 +1,9 @@
 import { type FieldValue, isTriple } from '@farol/editing/fields';
 import type { ClipData, ClipKey, ClipTrack } from './ClipData';
 
-/** Rounds a number to nine digits, which tell all single-precision numbers apart. */
+/** Rounds a number to nine digits, which distinguish all single-precision numbers. */
 function short(value: number): number {
-  // skips the conversion to text for numbers that surely have no more digits
+  // skips the conversion to text for numbers that cannot have more digits
   const size = Math.abs(value);
   const unit = size < 1 ? 1e9 : size < 1000 ? 1e6 : 1;
   if (size < 1e9 && Math.round(value * unit) / unit === value) return value + 0;
@@ -16,8 +16,8 @@ const shortValue = (value: FieldValue): FieldValue => {
 };
 
 /**
- * The text that a ClipAsset holds for a clip: numbers are rounded to nine digits, so that what is read again is written as
- * the same text; keys come in order of time, and of those at one time the last stays.
+ * Text of a clip, as a ClipAsset stores it. Numbers are rounded to nine digits, so that reading and writing it again
+ * gives the same text; keys are sorted by time, and the last of equal times is kept.
  */
 export function clipText({ tracks, events }: ClipData): string {
   return JSON.stringify({

@@ -32,8 +32,7 @@ export const describeTrack = ({ path, component, field }: Pick<ClipTrack, 'path'
   `${path === '' ? '' : `'${shortText(path, 60)}', `}${shortText(component)}.${shortText(field)}`;
 
 /**
- * Reads what a ClipAsset holds; '' is a clip without tracks. Whatever the text is, the result is as its type says, with
- * keys in order of time.
+ * Parses the text of a ClipAsset; '' is a clip without tracks. The result is validated, its keys sorted by time.
  * @param name - of the clip, for messages
  * @throws ClipError naming clip, track and key
  */

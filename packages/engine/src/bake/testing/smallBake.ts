@@ -4,7 +4,7 @@ import type { BakeData, LightmapData, LightmappedMesh } from '../../assets/bake/
 import { bakeSignature } from '../bakeSignature';
 import { bakeSources } from '../bakeSources';
 
-/** A lightmap whose light goes from dark to bright along x and y. */
+/** A lightmap whose brightness grows along x and y. */
 export function gradient(width: number, height: number): LightmapData {
   const data = new Uint16Array(4 * width * height);
   for (let y = 0, at = 0; y < height; y++) {
@@ -27,7 +27,7 @@ function split(mesh: Mesh): Pick<LightmappedMesh, 'uv1' | 'index' | 'sourceVerte
   return { sourceVertices, sourceVertex: corners, index: Uint32Array.from(corners.keys()), uv1 };
 }
 
-/** Baked light of a scene that no ray was cast for. */
+/** Baked light for a scene, without tracing rays. */
 export function smallBake(scene: Scene, size = 16): BakeData {
   scene.three.updateMatrixWorld(true);
   const { meshes, lights } = bakeSources(scene);

@@ -10,7 +10,7 @@ import { PhysicsSystem } from '../../physics/PhysicsSystem';
 
 export type Values = Readonly<Record<string, FieldValue>>;
 
-/** A scene in which every error of a component is thrown. */
+/** A scene that throws errors of components. */
 export function makeScene(): Scene {
   const scene = new Scene({ registry: builtinComponents });
   scene.onComponentError = (_, error) => {
@@ -19,7 +19,7 @@ export function makeScene(): Scene {
   return scene;
 }
 
-/** A box of the library, which collides; with a body unless that is null. */
+/** A box with a Collider, and with a RigidBody unless `body` is null. */
 export function box(name: string, position: Vector3Tuple, body: Values | null = {}, collider: Values = {}): GameObject {
   const object = new GameObject(name, { id: name });
   object.transform.position = position;
@@ -29,7 +29,7 @@ export function box(name: string, position: Vector3Tuple, body: Values | null = 
   return object;
 }
 
-/** 50 m by 50 m, its top at height 0. */
+/** Ground of 50 m × 50 m with its top at height 0. */
 export function ground(): GameObject {
   const object = box('Ground', [0, -0.5, 0], null);
   object.transform.scale = [50, 1, 50];
@@ -38,12 +38,12 @@ export function ground(): GameObject {
 
 export const prepare = (scene: Scene): Promise<void> => scene.system(PhysicsSystem).prepare();
 
-/** Frames of a sixtieth of a second. */
+/** Advances a scene by frames of 1/60 s. */
 export function run(scene: Scene, steps: number): void {
   for (let i = 0; i < steps; i++) scene.update(1 / 60);
 }
 
-/** Positions, rotations and scales of all objects, as one list of numbers to compare. */
+/** Positions, rotations and scales of all objects as one list of numbers. */
 export function placesOf(scene: Scene): number[] {
   const places: number[] = [];
   scene.traverse(({ object3D: { position, quaternion, scale } }) =>

@@ -3,7 +3,7 @@ import type { Mesh } from 'three';
 import { gameObjectOf } from '../gameObjectOf';
 import type { Scene } from '../Scene';
 
-/** Updates of the world matrices between two checks. */
+/** Number of updates of the world matrices between two checks. */
 const UPDATES = 30;
 /** Smallest difference of an element of a world matrix that counts as movement. */
 const LEAST = 1e-3;
@@ -23,7 +23,7 @@ export class MovedObjects {
     this.stop = scene.onMatricesUpdated(() => this.update());
   }
 
-  /** Makes the present places count as unmoved: an edit has added, removed or moved lightmapped meshes. */
+  /** Takes the current matrices as unmoved, after an edit has added, removed or moved lightmapped meshes. */
   changed(): void {
     this.places = null;
   }

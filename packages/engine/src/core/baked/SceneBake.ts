@@ -7,7 +7,7 @@ import type { ShownBake } from './ShownBake';
 /** Types of components that baked light affects. */
 const TYPES = ['Light', 'ObjectRenderer', 'ModelRenderer'];
 
-/** The baked light of a scene, by its setting `bakedLight`; shown by late code that is fetched with the asset. */
+/** The baked light of a scene (setting `bakedLight`), displayed by late code that is fetched with the asset. */
 export class SceneBake {
   private appliedBake: ShownBake | null = null;
   private light: BakedLight | null = null;
@@ -20,7 +20,7 @@ export class SceneBake {
     return this.appliedBake !== null;
   }
 
-  /** Takes the baked light off the scene while light is baked anew. @returns a function that ends it */
+  /** Hides the baked light during a new bake. @returns a function that shows it again */
   suspend(): () => void {
     this.suspensions++;
     this.update();
@@ -30,7 +30,7 @@ export class SceneBake {
     };
   }
 
-  /** Shows the baked light that the setting names, once asset and code are loaded. */
+  /** Shows the baked light that the setting names, once its asset and the code are loaded. */
   update(): void {
     const light = this.bakeOfSettings();
     if (light === this.light) return;
@@ -55,7 +55,7 @@ export class SceneBake {
     return null;
   }
 
-  /** @internal Whether a light is in lightmaps and probes, and is not drawn. @param light - id of the component */
+  /** @internal Whether a light is baked, and so not drawn. @param light - id of the component */
   hides(light: string): boolean {
     return this.appliedBake !== null && this.appliedBake.hides(light);
   }

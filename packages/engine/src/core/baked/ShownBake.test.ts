@@ -38,7 +38,7 @@ const lightOf = (scene: Scene, name: string): Light => scene.find(name)!.getComp
 const hasLightmap = (scene: Scene, name: string): boolean =>
   (meshOf(scene, name).material as MeshStandardMaterial).lightMap !== null;
 
-/** Bakes a scene and lights it by that. */
+/** Bakes a scene and applies the result. */
 async function bake(scene: Scene): Promise<void> {
   scene.assets.registerFile('Baked light.bake', new Blob([await writeBake(smallBake(scene))]));
   await scene.assets.load('Baked light.bake');
@@ -54,7 +54,7 @@ test('static meshes get lightmaps and baked lights go; without it all is as befo
   const [floor, wall] = [meshOf(scene, 'Floor'), meshOf(scene, 'Wall')];
   expect(floor.geometry.getAttribute('uv1').count).toBe(6);
   expect((floor.material as MeshStandardMaterial).lightMap!.channel).toBe(1);
-  // one material with a lightmap for both, as they had one without
+  // meshes that share a material share the lightmapped one too
   expect(floor.material).toBe(wall.material);
   expect(lightOf(scene, 'Lamp').three.visible).toBe(false);
   expect(lightOf(scene, 'Sun').three.visible).toBe(true);
@@ -96,7 +96,7 @@ test('a light that is no longer baked shines, and one that was switched off stay
   expect(lamp.three.visible).toBe(true);
   lamp.mode = 'baked';
   expect(lamp.three.visible).toBe(false);
-  // a new three light takes the place of the old one
+  // replaces the three light by a new one
   lamp.type = 'spot';
   expect(lamp.three.visible).toBe(false);
   lamp.enabled = false;
@@ -230,7 +230,7 @@ test('probes fill the box of what is static; those within walls take the light b
 });
 
 test('a probe beside a strong light is nowhere darker than dark, and one in soft light is left as it is', () => {
-  // radiance of a small lamp above: the harmonics of that direction
+  // spherical harmonics of a small lamp above
   const basis: number[] = [];
   SphericalHarmonics3.getBasisAt(new Vector3(0, 1, 0), basis);
   const lamp = basis.flatMap((value) => [value, 0.5 * value, 0.1 * value]);

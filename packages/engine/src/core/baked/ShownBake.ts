@@ -41,14 +41,14 @@ function textureOf({ width, height, data }: LightmapData, channel: number): Data
 
 const listOf = (materials: Materials): readonly Material[] => (Array.isArray(materials) ? materials : [materials]);
 
-/** Baked light as one scene shows it. */
+/** Displays baked light in one scene. */
 export class ShownBake {
   private readonly textures: readonly DataTexture[];
   private readonly meshes = new Map<string, LightmappedMesh[]>();
   private readonly lights: ReadonlySet<string>;
   private readonly grid: ProbeGrid | null;
   private readonly dressed = new Map<Mesh, Dressed>();
-  /** Materials with a lightmap, by the material that they are made from. */
+  /** Materials with a lightmap, by their source material, then by lightmap. */
   private readonly materials = new Map<Material, (Material | undefined)[]>();
   private readonly moved: MovedObjects;
 

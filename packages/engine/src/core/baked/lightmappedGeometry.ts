@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
 import type { LightmappedMesh } from '../../assets/bake/BakeData';
 
-/** Attributes of a geometry for vertices that come from its own. */
+/** Copies the elements `source` (vertex indices) of an attribute. */
 function gathered(attribute: BufferAttribute | InterleavedBufferAttribute, source: Uint32Array): BufferAttribute {
   const { itemSize, normalized } = attribute;
   const from = attribute.array;
@@ -20,7 +20,7 @@ function gathered(attribute: BufferAttribute | InterleavedBufferAttribute, sourc
 export const fitsGeometry = (geometry: BufferGeometry, { sourceVertices }: LightmappedMesh): boolean =>
   geometry.getAttribute('position')?.count === sourceVertices && Object.keys(geometry.morphAttributes).length === 0;
 
-/** A geometry with its vertices split as the lightmap needs them, and the texture coordinates that the lightmap is read by. */
+/** A copy of a geometry with vertices split as the lightmap needs them, and the lightmap's texture coordinates. */
 export function lightmappedGeometry(geometry: BufferGeometry, mesh: LightmappedMesh, channel: number): BufferGeometry {
   const made = new BufferGeometry();
   made.name = geometry.name;

@@ -35,7 +35,7 @@ const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 type Triple = readonly [number, number, number];
 
-/** Reads an FBX. What the loader warns of is noted in place of the browser's console. */
+/** Parses an FBX. The loader's warnings are added to `notes` and kept off the console. */
 function parse(loader: FBXLoader, bytes: ArrayBuffer, notes: Set<string>): Group {
   const { warn, error } = console;
   const note = (...said: readonly unknown[]): void => {
@@ -67,7 +67,7 @@ const triple = (colour: Color): Triple => {
   return [r, g, b];
 };
 
-/** A material of FBX as one of an MTL file. */
+/** Converts an FBX material to an MTL material. */
 function mtlOf(material: MeshPhongMaterial, textures: FbxTextures): MtlMaterial {
   const { name, color, emissive, specular, shininess, opacity, bumpScale, emissiveIntensity } = material;
   const map = (texture: Texture | null | undefined, bump?: number): ReturnType<FbxTextures['mapOf']> =>
@@ -99,7 +99,7 @@ function prepareGeometry(geometry: BufferGeometry): void {
   else geometry.computeVertexNormals();
 }
 
-/** Replaces FBX materials by plain ones with their index in `userData`. @returns the FBX materials in that order */
+/** Replaces FBX materials by plain ones that store the index in `userData`. @returns the FBX materials in that order */
 function replaceMaterials(root: Object3D): MeshPhongMaterial[] {
   const given: Material[] = [];
   const plain: MeshStandardMaterial[] = [];

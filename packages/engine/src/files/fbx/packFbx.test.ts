@@ -18,7 +18,7 @@ interface Json {
   animations?: { name: string; channels: { target: { path: string } }[] }[];
 }
 
-/** A square of 2 m on a node 100 units up, red, with a picture; written as text, as an exporter would. */
+/** A red square of 2 m with a picture, on a node at a height of 100 units; written as text, like an exporter's. */
 function fbx({ texture = 'textures\\Wall.png', unit = 1 } = {}): string {
   const property = (name: string, type: string, ...values: (number | string)[]): string =>
     `P: "${name}", "${type}", "", "A",${values.join(',')}`;
@@ -151,7 +151,7 @@ Connections:  {
 `;
 }
 
-/** The first bytes of a PNG: enough to be taken for one. */
+/** The first bytes of a PNG, by which it is recognised. */
 const png = Uint8Array.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]);
 
 async function pack(entries: Record<string, string | Uint8Array<ArrayBuffer>>, path: string) {
@@ -176,7 +176,7 @@ class BlobReader {
 
 beforeEach(() => {
   vi.stubGlobal('FileReader', BlobReader);
-  // Node decodes no pictures: here what begins as one is one
+  // Node decodes no images: here each one that is recognised counts as decoded
   vi.stubGlobal('createImageBitmap', async () => ({ close() {} }));
 });
 afterEach(() => vi.unstubAllGlobals());
@@ -234,7 +234,7 @@ describe('packFbx', () => {
     expect(json.materials[0].pbrMetallicRoughness).not.toHaveProperty('baseColorTexture');
   });
 
-  /** A binary FBX of version 7.4: nodes with their properties, as bytes, and what is in them. */
+  /** A node of a binary FBX 7.4: name, properties as bytes, children. */
   type Node = [name: string, properties: Uint8Array[], inner?: Node[]];
   const words = (...values: number[]): Uint8Array => new Uint8Array(Uint32Array.from(values).buffer);
   const letters = (text: string): Uint8Array => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
@@ -298,7 +298,7 @@ describe('packFbx', () => {
     const geometry = (...inner: Node[]): Uint8Array<ArrayBuffer> =>
       binary([['Objects', [], [['Geometry', [whole(1), text('a'), text('Mesh')], inner]]]]);
     const absurd: [string | Uint8Array<ArrayBuffer>, RegExp][] = [
-      // 100 kB that become 100 MB
+      // 100 kB that unpack to 100 MB
       [geometry(['Vertices', [packed('d', 3, new Uint8Array(100_000_000))]]), /come to more than it says/],
       [geometry(['Vertices', [packed('d', 1e9, new Uint8Array(8))]]), /its arrays come to more than [\d,]+ bytes/],
       [

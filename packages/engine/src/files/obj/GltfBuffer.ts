@@ -7,7 +7,7 @@ export class GltfBuffer {
   readonly accessors: object[] = [];
   length = 0;
 
-  /** Puts bytes at the end. @returns number of their view */
+  /** Appends bytes. @returns index of their buffer view */
   addBytes(bytes: Uint8Array, target?: 34962 | 34963): number {
     const view = { buffer: 0, byteOffset: this.length, byteLength: bytes.length, ...(target ? { target } : {}) };
     this.parts.push(bytes);
@@ -17,7 +17,7 @@ export class GltfBuffer {
 
   /**
    * Adds a vertex attribute.
-   * @param bounds - whether to store least and largest values, as positions need
+   * @param bounds - whether to store minimum and maximum, which glTF requires for positions
    * @returns index of its accessor
    */
   addVertices(values: Float32Array, size: 2 | 3, bounds = false): number {
@@ -32,7 +32,7 @@ export class GltfBuffer {
    * @returns index of the accessor
    */
   addIndex(index: Uint32Array, vertices: number): number {
-    // the largest value of an index type restarts a primitive, and so is no index
+    // the largest value of an index type restarts a primitive, so it cannot be an index
     const short = vertices < 0xffff ? new Uint16Array(index) : null;
     const bufferView = this.addBytes(short ? new Uint8Array(short.buffer) : new Uint8Array(index.buffer), 34963);
     return (

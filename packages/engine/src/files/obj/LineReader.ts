@@ -28,7 +28,7 @@ export class LineReader {
     return this.at >= this.bytes.length;
   }
 
-  /** Skips blanks, and tells whether the line ends after them. */
+  /** Skips blanks. Whether the line ends after them. */
   get isLineOver(): boolean {
     this.skipBlanks();
     const byte = this.bytes[this.at];
@@ -103,7 +103,7 @@ export class LineReader {
     return isNegative ? -value : value;
   }
 
-  /** A whole number with or without a sign that begins here; NaN when none does. */
+  /** Integer with optional sign at the current position; NaN when there is none. */
   integer(): number {
     const { bytes } = this;
     const isNegative = bytes[this.at] === MINUS;

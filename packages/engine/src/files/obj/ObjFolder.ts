@@ -1,6 +1,6 @@
 import type { FileMap } from '../../assets/collectFiles';
 
-/** Splits a path into parts: separators become `/`, letters small; `.`, `..`, drives and quotes are dropped. */
+/** Splits a path into parts, in lower case; `\` is a separator too. Drops `.`, `..`, drives and quotes. */
 function partsOf(path: string): string[] {
   const parts: string[] = [];
   for (const part of path.replaceAll('\\', '/').replaceAll('"', '').toLowerCase().split('/')) {
@@ -21,9 +21,7 @@ function endsOf(parts: readonly string[]): string[] {
   return last.map((_, i) => last.slice(i).join('/'));
 }
 
-/**
- * Finds the files that OBJ and MTL files name among dropped files, also where letter case, slashes or folders differ.
- */
+/** Finds the files that OBJ and MTL files name among dropped files, even if letter case, slashes or folders differ. */
 export class ObjFolder {
   private readonly entries: readonly { readonly path: string; readonly parts: readonly string[] }[];
   /** First file of each full path. */
@@ -43,10 +41,10 @@ export class ObjFolder {
   }
 
   /**
-   * The path of the file that a reference means: the one from the folder of who names it, else the one of this name
-   * whose path agrees most with it. Null when there is none.
-   * @param from - path of the file that names it
-   * @param endings - a file with one of these endings will do where there is none of the one that is named
+   * Path of the file that a reference means: relative to the folder of `from`, else the file of that name whose folders
+   * agree best. Null when there is none.
+   * @param from - path of the file that contains the reference
+   * @param endings - extensions to accept in place of the reference's own, when no such file exists
    */
   find(from: string, reference: string, endings: readonly string[] = []): string | null {
     const folder = partsOf(from).slice(0, -1);

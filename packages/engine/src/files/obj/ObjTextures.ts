@@ -7,7 +7,7 @@ import type { ObjFolder } from './ObjFolder';
 import type { MtlMap } from './parseMtl';
 import { holdsNormals, isCutOut, type Picture, withOpacity } from './pictures';
 
-/** Endings tried for an image that is missing under its own name: textures are often converted. */
+/** Extensions tried for a missing image: textures are often converted to another format. */
 const PICTURES = ['.png', '.jpg', '.jpeg', '.tga', '.webp', '.bmp'];
 
 /** A texture of a glTF, as a material refers to it. */
@@ -17,7 +17,7 @@ export interface TextureInfo {
   readonly extensions?: object;
 }
 
-/** The textures of the materials of an OBJ, as images of a glTF; each file, and each treatment of it, once. */
+/** Textures of an OBJ's materials as images of a glTF; each file is added once per conversion. */
 export class ObjTextures {
   readonly images: object[] = [];
   readonly textures: object[] = [];
@@ -83,13 +83,13 @@ export class ObjTextures {
       if (mimeType && (await canDecode(bytes))) return this.addImage(bytes, mimeType, path);
       if (mimeType) this.damaged.add(path);
       const picture = mimeType ? null : await this.decode(path);
-      // alpha of a picture counts only where map_d names the picture
+      // the alpha channel counts as opacity only where map_d names the picture
       if (picture) for (let at = 3; at < picture.data.length; at += 4) picture.data[at] = 255;
       return picture && this.addPicture(picture, path);
     });
   }
 
-  /** Adds an image computed from others, once for each key. @param make - gives null when they cannot be decoded */
+  /** Adds an image computed from others, once for each key. @param make - returns null when a source is damaged */
   made(key: string, name: string, make: () => Promise<Picture | null>): Promise<number | null> {
     return this.once(key, async () => {
       const picture = await make();
@@ -98,7 +98,7 @@ export class ObjTextures {
   }
 
   /**
-   * An image of the colours of one file and the opacity of another; null when the latter cannot be decoded.
+   * An image with the colours of one file and the opacity of another; null when `opacity` cannot be decoded.
    * @param colour - white when null
    */
   async withOpacity(colour: string | null, opacity: string): Promise<{ image: number; isCutOut: boolean } | null> {
@@ -123,7 +123,7 @@ export class ObjTextures {
     return holds;
   }
 
-  /** A texture of an image, placed as the map says. */
+  /** A glTF texture of an image, with the map's placement. */
   texture(image: number, map: MtlMap): TextureInfo {
     const sampler = map.isClamped ? 1 : 0;
     const key = `${image} ${sampler}`;

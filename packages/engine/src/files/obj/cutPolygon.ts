@@ -9,16 +9,15 @@ export interface CutPolygon {
 }
 
 /**
- * Cuts a polygon into triangles that turn as it does: a fan from its first corner where it is convex, by ears where it
- * is not.
+ * Triangulates a polygon, keeping its winding: a fan from the first corner if it is convex, else by ear clipping.
  * @param points - x, y and z of each corner
- * @param most - corners up to which one is cut by ears
+ * @param most - greatest number of corners for ear clipping
  */
 export function cutPolygon(points: readonly number[], most: number): CutPolygon {
   const count = points.length / 3;
   const fan = Array.from({ length: count - 2 }, (_, i) => [0, i + 1, i + 2]).flat();
   const normal = newellNormal(points);
-  // two axes that see the polygon from the front
+  // the two axes onto which the polygon projects with its front towards the viewer
   const sizes = normal.map(Math.abs);
   const axis = sizes.indexOf(Math.max(...sizes));
   const [u, v] = normal[axis] >= 0 ? [(axis + 1) % 3, (axis + 2) % 3] : [(axis + 2) % 3, (axis + 1) % 3];

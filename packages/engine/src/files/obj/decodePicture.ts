@@ -4,7 +4,7 @@ import type { Picture } from './pictures';
 
 const isTga = (name: string): boolean => /\.(tga|vda|icb|vst)$/i.test(name);
 
-/** MIME type by the first bytes, if glTF holds that format as it is; else null. */
+/** MIME type by the first bytes, when glTF allows that format; else null. */
 export function gltfMime(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
   if (bytes[0] === 0x89 && bytes[1] === 0x50 && bytes[2] === 0x4e && bytes[3] === 0x47) return 'image/png';
   return bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff ? 'image/jpeg' : null;
@@ -15,7 +15,7 @@ export function decodeTga(bytes: Uint8Array<ArrayBuffer>): Picture {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [width, height] = bytes.length < 18 ? [0, 0] : [view.getUint16(12, true), view.getUint16(14, true)];
   checkPixels(width, height);
-  // types 1 to 3 are not packed: the loader takes bytes that are not there for black
+  // types 1 to 3 are uncompressed: the loader reads missing bytes as black
   const isPacked = bytes[2] > 3;
   if (bytes.length < 18 || (!isPacked && bytes.length < 18 + (width * height * bytes[16]) / 8))
     throw new Error('it is cut short');

@@ -3,7 +3,7 @@ import type { Picture } from './pictures';
 
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 
-/** A chunk: length, type, data, checksum of type and data. */
+/** A PNG chunk: length, type, data, and CRC of type and data. */
 async function chunk(type: string, data: Uint8Array): Promise<Uint8Array<ArrayBuffer>> {
   const bytes = new Uint8Array(12 + data.length);
   const view = new DataView(bytes.buffer);

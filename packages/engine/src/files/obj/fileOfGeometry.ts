@@ -4,9 +4,9 @@ import { weldPositions } from '../../geometry/weldPositions';
 import type { ObjFile } from './parseObj';
 
 /**
- * A geometry of triangles in the form of an OBJ file: one group without a material. Vertices of one place become one
- * where it has no index, since its format knows no shared vertices then.
- * @param hasNormals - whether its normals are worth keeping; they are computed by crease angle otherwise
+ * A triangle geometry in the form of an OBJ file: one group without a material. Vertices of a non-indexed geometry are
+ * merged by position, since such formats cannot share vertices.
+ * @param hasNormals - whether to keep its normals; otherwise normals are computed by crease angle
  */
 export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): Steps<ObjFile> {
   const { index } = geometry;

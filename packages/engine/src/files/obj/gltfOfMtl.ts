@@ -69,7 +69,7 @@ export async function gltfOfMtl(
 const white: Triple = [1, 1, 1];
 const grey: Triple = [0.6, 0.6, 0.6];
 
-/** A material for faces whose own is not known: grey. */
+/** Grey material for faces whose own material is unknown. */
 export const greyMaterial = (name: string): object => ({
   name,
   pbrMetallicRoughness: { baseColorFactor: [...grey, 1], metallicFactor: 0, roughnessFactor: 0.8 },
@@ -97,7 +97,7 @@ async function colourOf(material: MtlMaterial, from: string, textures: ObjTextur
   }
   const image = colourPath === null ? null : await textures.plain(colourPath);
   if (image === null || !diffuseMap) {
-    // black under a picture that is missing is no colour
+    // the texture is missing, so its black factor is no colour
     return { factor: diffuseMap && isBlack ? grey : linear(diffuse), alphaMode };
   }
   const factor = isBlack || !material.diffuse ? white : linear(diffuse);
@@ -116,7 +116,7 @@ async function roughnessAndMetalness(material: MtlMaterial, from: string, textur
     return picture && roughnessOfSpecular(picture, roughness);
   });
   if (image === null) return factors;
-  // the picture's blue would take the metalness away
+  // the blue channel of the texture would set metalness
   return { metallicFactor: 0, roughnessFactor: 1, metallicRoughnessTexture: textures.texture(image, specularMap) };
 }
 

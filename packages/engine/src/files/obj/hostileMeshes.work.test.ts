@@ -5,10 +5,10 @@ import { packObj } from '../packObj';
 import { decodeTga } from './decodePicture';
 import { ObjFolder } from './ObjFolder';
 
-/** Steps for each letter of a file, at most: reading it is work that grows with its size alone. */
+/** Greatest number of steps per character of a file: reading takes linear time. */
 const STEPS = 20;
 
-/** Runs what reads so many letters. */
+/** Runs a reader, and checks its steps against the number of characters. */
 async function inSteps<T>(letters: number, run: () => T | Promise<T>): Promise<Awaited<T>> {
   let result: Awaited<T>;
   const work = await workOf(async () => (result = await run()));
@@ -51,7 +51,7 @@ test('an OBJ whose names are long, one vertex with many textures', async () => {
   const long = 'x'.repeat(100_000);
   const faces = 'f 1 2 3\n'.repeat(5000);
   const { glb } = await packInSteps(`o ${long}\n${corners}usemtl ${long}\n${faces}usemtl ${long}\n${faces}`);
-  // one mesh of one material: its name is kept short
+  // one mesh of one material; its name is shortened
   expect(glb.byteLength).toBeLessThan(500_000);
   const count = 18_000;
   const places = Array.from({ length: count / 3 }, (_, i) => `f 1/${3 * i + 1} 1/${3 * i + 2} 1/${3 * i + 3}\n`);
@@ -68,7 +68,7 @@ test('a face of very many corners that is not convex', async () => {
   expect(notes).toContain(
     'a.obj: 1 of its faces have so many corners that they may look wrong: cut them into triangles.',
   );
-  // rounding makes a circle a little less than convex
+  // rounding makes a circle slightly concave
   const round = Array.from({ length: 5000 }, (_, i) => `v ${Math.cos(i / 1000)} ${Math.sin(i / 1000)} 0\n`);
   await packInSteps(`${round.join('')}f ${round.map((_, i) => i + 1).join(' ')}\n`);
 });
@@ -96,7 +96,7 @@ test('a PLY whose elements cannot all be in it', async () => {
 });
 
 test('a TGA that would take absurd memory', () => {
-  // packed, as nothing: what it says of its size alone counts
+  // a packed TGA without data: only the size in its header counts
   const bytes = new Uint8Array(18);
   bytes.set([0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x40, 0, 0x40, 32, 8]);
   expect(() => decodeTga(bytes)).toThrow(/16384 × 16384 pixels/);

@@ -27,7 +27,7 @@ async function pack(name: string, content: string | Uint8Array<ArrayBuffer>) {
   };
 }
 
-/** Corners of two triangles that make a square. */
+/** Corners of two triangles that form a square. */
 const square = [
   [0, 0, 0],
   [1, 0, 0],

@@ -20,17 +20,16 @@ export interface ObjMesh {
   readonly primitives: readonly ObjPrimitive[];
 }
 
-/** Number of groups above which all are joined: each costs a draw call, and some programs write one per face. */
+/** Number of groups above which all are joined: each group costs a draw call, and some programs write one per face. */
 const MOST_GROUPS = 4000;
 
 const CREASE = Math.PI / 6;
 
 /**
  * The meshes of an OBJ file: a mesh for each group, a primitive for each material in it. Corners without a normal get
- * one by the crease angle of 30°, as the engine computes them, over the whole file at once, so that nothing shows where
- * groups meet.
+ * one, by a crease angle of 30°, computed over the whole file, so that no seam shows between groups.
  * @param signal - cancels the work
- * @throws what the signal was aborted with (as a rejection)
+ * @throws the signal's abort reason (as a rejection)
  */
 export async function objMeshes(file: ObjFile, signal?: AbortSignal): Promise<ObjMesh[]> {
   const normals = await completeNormals(file, signal);
@@ -101,7 +100,7 @@ function* trianglesWithoutNormals(corners: Int32Array): Steps<Uint32Array> {
   return found.subarray(0, count);
 }
 
-/** Runs by mesh, then by material, in the order of the file. */
+/** Groups runs by mesh, then by material, in the order of the file. */
 function sortRuns(runs: readonly ObjRun[]): { name: string; materials: Map<string | null, ObjRun[]> }[] {
   const isJoined = new Set(runs.map(({ key }) => key)).size > MOST_GROUPS;
   const meshes = new Map<string, { name: string; materials: Map<string | null, ObjRun[]> }>();
@@ -126,7 +125,7 @@ function* buildMeshes(file: ObjFile): Steps<ObjMesh[]> {
   return meshes;
 }
 
-/** A factor for a hash that no file can know: chosen numbers could give all corners one place. */
+/** Random factor of a hash, so that no file can be made in which all corners collide. */
 const randomFactor = (): number => Math.floor(Math.random() * 2 ** 31) * 2 + 1;
 const factors = [randomFactor(), randomFactor(), randomFactor()];
 
@@ -139,7 +138,7 @@ function* buildPrimitive(
   const index = new Uint32Array(count);
   const bits = Math.max(1, Math.ceil(Math.log2(count)));
   const first = new Int32Array(2 ** bits).fill(-1);
-  /** Corner that each vertex of the primitive is made of; vertices of one hash are chained from `first` by `next`. */
+  /** Corner that each vertex of the primitive comes from; vertices of equal hash are linked from `first` by `next`. */
   const kept = new Uint32Array(count);
   const next = new Int32Array(count);
   const [a, b, c] = factors;

@@ -12,13 +12,13 @@ import type { PackedObj } from './PackedObj';
 import { type MtlMaterial, parseMtl } from './parseMtl';
 import { readerOf } from './readers';
 
-/** A material with the path of its MTL file. */
+/** A material and the path of its MTL file. */
 interface FoundMaterial {
   readonly material: MtlMaterial;
   readonly from: string;
 }
 
-/** Bytes that fit into one buffer of any browser. */
+/** Largest buffer (bytes) that every browser can allocate. */
 const LARGEST = 2 ** 31 - 1;
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
@@ -120,7 +120,7 @@ function fromTheTop(uvs: Float32Array): Float32Array {
   return uvs;
 }
 
-/** The materials of the MTL files that an OBJ names; the one of the same name, or the only one, where it names none. */
+/** The materials of the MTL files that an OBJ names; if it names none, of the OBJ's namesake or the only MTL. */
 async function readMaterials(
   files: FileMap,
   folder: ObjFolder,

@@ -42,7 +42,7 @@ const plain = (...texel: number[]): Uint8Array<ArrayBuffer> =>
     2,
     Array.from({ length: 4 }, () => texel),
   );
-/** The first bytes of a PNG: enough to be taken for one. */
+/** The first bytes of a PNG, by which it is recognised. */
 const png = Uint8Array.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]);
 
 const filesOf = (entries: Record<string, string | Uint8Array<ArrayBuffer>>) =>
@@ -55,7 +55,7 @@ async function pack(entries: Record<string, string | Uint8Array<ArrayBuffer>>, p
   return { ...packed, json: json as unknown as Json, binary: binaryOf(packed.glb)! };
 }
 
-/** The one material that an MTL text gives. */
+/** The only material that an MTL text gives. */
 async function materialOf(mtl: string, files: Record<string, Uint8Array<ArrayBuffer>> = {}) {
   const packed = await pack({
     'a.obj': `mtllib a.mtl\n${square}usemtl m\n${face}`,
@@ -66,7 +66,7 @@ async function materialOf(mtl: string, files: Record<string, Uint8Array<ArrayBuf
 }
 
 beforeEach(() => {
-  // Node decodes no pictures: here what begins as one is one
+  // Node decodes no images: here each one that is recognised counts as decoded
   vi.stubGlobal('createImageBitmap', async () => ({ close() {} }));
 });
 afterEach(() => vi.unstubAllGlobals());

@@ -15,7 +15,7 @@ export interface MtlMap {
 
 type Triple = readonly [number, number, number];
 
-/** A material of an MTL file; what is not in the file is absent. Colours are as in the file, sRGB. */
+/** A material of an MTL file, with the properties that the file has. Colours are sRGB, as in the file. */
 export interface MtlMaterial {
   readonly name: string;
   readonly diffuse?: Triple;
@@ -23,7 +23,7 @@ export interface MtlMaterial {
   readonly emissive?: Triple;
   /** Phong exponent of the specular highlight. */
   readonly shininess?: number;
-  /** Opacity, of `d`, or of `Tr`, which counts the other way round. */
+  /** Opacity: `d`, or 1 − `Tr`. */
   readonly opacity?: number;
   readonly roughness?: number;
   readonly metalness?: number;
@@ -33,13 +33,13 @@ export interface MtlMaterial {
   readonly opacityMap?: MtlMap;
   /** Normal map, named by `norm`. */
   readonly normalMap?: MtlMap;
-  /** A map of heights, which `bump` and `map_bump` name; many are maps of normals in truth. */
+  /** Height map (`bump`, `map_bump`); in many files really a normal map. */
   readonly bumpMap?: MtlMap;
   /** Displacement map; used only when its texels are in fact normals. */
   readonly displacementMap?: MtlMap;
 }
 
-/** Numbers that each option of a texture takes; `-o`, `-s` and `-t` take one to three. */
+/** Number of values of each texture option; `-o`, `-s` and `-t` have one to three. */
 const optionLengths: Readonly<Record<string, number>> = {
   '-blendu': 1,
   '-blendv': 1,
@@ -90,12 +90,12 @@ function areValues(name: string, values: readonly string[]): boolean {
   return values.length > 0 && values.every((value) => value !== '' && Number.isFinite(Number(value)));
 }
 
-/** Words at the end of a line among which options are looked for: twice as many as all options can take. */
+/** Words at the end of a line that are searched for options: twice as many as all options can have. */
 const TRAILING = 64;
 
 /**
- * The options at the end of some words, where programs write them too.
- * @returns the place of the first; the end for none
+ * Parses options at the end of a line, where some programs write them.
+ * @returns index of the first option's word; the number of words for none
  */
 function trailingOptions(words: readonly string[], from: number, options: Map<string, string[]>): number {
   for (let start = Math.max(from, words.length - TRAILING); start < words.length; start++) {
@@ -108,7 +108,7 @@ function trailingOptions(words: readonly string[], from: number, options: Map<st
   return words.length;
 }
 
-/** Reads what follows `map_Kd` and the like: options, then a path, which may have blanks in it, then options again. */
+/** Parses the value of `map_Kd` and similar keywords: options, a path that may contain blanks, and options again. */
 export function parseMtlMap(text: string): MtlMap | undefined {
   const words = text.trim().split(/\s+/);
   const options = new Map<string, string[]>();
@@ -136,9 +136,9 @@ export function parseMtlMap(text: string): MtlMap | undefined {
 
 type MtlInfo = Readonly<Record<string, string | readonly number[] | undefined>>;
 
-/** Reads the materials of an MTL file, by their names. */
+/** Reads the materials of an MTL file, by name. */
 export function parseMtl(text: string): Map<string, MtlMaterial> {
-  // the loader looks for one blank after a keyword
+  // MTLLoader expects a single blank after a keyword
   const creator = new MTLLoader().parse(text.replace(/\r\n?/g, '\n').replaceAll('\t', ' '), '');
   const table = creator.materialsInfo as unknown as Readonly<Record<string, MtlInfo>>;
   return new Map(Object.entries(table).map(([name, info]) => [name, readMaterial(name, info)]));

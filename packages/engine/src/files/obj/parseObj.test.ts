@@ -59,7 +59,7 @@ describe('parseObj', () => {
   });
 
   it('cuts a polygon that is not convex within itself, and keeps how it turns', () => {
-    // an arrow's head: four corners, the third of them pushed in; then an L of six
+    // an arrowhead: four corners, the third of them concave; then an L of six
     const arrow = 'v 0 0 0\nv 2 0 0\nv 0.5 0.5 0\nv 0 2 0\n';
     const ell = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n';
     for (const [text, face, area] of [
@@ -147,7 +147,7 @@ describe('parseObj', () => {
       const index = (i: number): number => (face % 2 === 0 ? vertices - count + i + 1 : i - count);
       lines.push(`f ${Array.from({ length: count }, (_, i) => `${index(i)}/${index(i)}/${index(i)}`).join(' ')}`);
     }
-    // faces within one plane each, so that both fans agree
+    // each face is planar, so that both fans are equal
     const text = lines.join('\n').replaceAll(/ (-?)(\d+)$/gm, ' $2');
     const { positions, uvs, normals, corners } = read(text);
     const flat = (source: Float32Array, size: number, offset: number): number[] =>

@@ -6,11 +6,11 @@ import { cutPolygon } from './cutPolygon';
 import { LineReader } from './LineReader';
 import { floatList, integerList, type NumberList } from './NumberList';
 
-/** Consecutive corners of an OBJ file with one group and one material. */
+/** Consecutive corners with the same group and material. */
 export interface ObjRun {
   /** Name of the group, or of the object where the group has none. */
   readonly name: string;
-  /** Tells groups of one name in two objects apart. */
+  /** Key of object and group, since two objects may have groups of one name. */
   readonly key: string;
   /** Name of the material; null before the first `usemtl`. */
   readonly material: string | null;
@@ -47,7 +47,7 @@ const STEP = 4096;
 const MOST_CORNERS = 4096;
 
 const triangle = [0, 1, 2];
-/** A face of four corners, cut from its first corner and from its second. */
+/** The two triangles of a quad, as indices of its corners. */
 const halves = [0, 1, 2, 0, 2, 3];
 const otherHalves = [1, 2, 3, 1, 3, 0];
 
@@ -56,8 +56,8 @@ const notDrawn = new Set(['l', 'p', 'curv', 'curv2', 'surf']);
 
 /**
  * Reads the text of an OBJ file: vertices with or without colours, faces of three or more corners with indices from the
- * start or, negative, from the end, groups, objects and materials. Vertices may come after the faces that name them.
- * Keywords that are not known are passed over.
+ * start or, negative, from the end, groups, objects and materials. Vertices may follow the faces that use them. Unknown
+ * keywords are ignored.
  * @throws Error of one sentence that names the line and what to do
  * @see Wavefront, Advanced Visualizer, Appendix B1: Object Files
  */
@@ -80,13 +80,13 @@ class ObjParser {
   private coarse = 0;
   private group = '';
   private material: string | null = null;
-  /** Names of groups and objects, and of materials, each once: equal ones are compared without reading them. */
+  /** Interned names of groups, objects and materials, so that equal names compare by identity. */
   private readonly names = new Map<string, string>();
   private readonly numbers = new Map<string, number>();
   private object = '';
-  /** Numbers of the names of object and group. */
+  /** Key of the current object and group. */
   private key = '0 0';
-  /** Work of the current step: lines, and what cutting a polygon costs in lines. */
+  /** Work of the current step, in lines; cutting a polygon counts as several. */
   private work = 0;
   private hasColours = false;
   /** Highest vertex index referred to, and its line. */
@@ -100,7 +100,7 @@ class ObjParser {
     this.reader = new LineReader(bytes);
   }
 
-  /** @returns whether there is more to read */
+  /** @returns whether lines are left */
   readLines(count: number): boolean {
     const { reader } = this;
     for (this.work = 0; this.work < count && !reader.isAtEnd; this.work++) {
@@ -182,7 +182,7 @@ class ObjParser {
       this.fail('the vertex does not have three numbers');
     }
     this.positions.push3(x, y, z);
-    // a fourth number alone is a weight; with three more there is a colour
+    // one further number is a weight; three further numbers are a colour
     const rest: number[] = [];
     while (!reader.isLineOver && rest.length < 4) rest.push(reader.number());
     if (rest.length >= 3 && rest.every(Number.isFinite)) {
@@ -241,10 +241,7 @@ class ObjParser {
     this.key = `${object} ${group}`;
   }
 
-  /**
-   * Whether the halves of a four-cornered face, cut from its first corner, face away from one another: it is not
-   * convex.
-   */
+  /** Whether a quad is not convex: its two triangles have opposite normals. */
   private isFolded(face: readonly number[]): boolean {
     const p = this.pointsOf(face);
     let product = 0;
@@ -284,7 +281,7 @@ class ObjParser {
     return run;
   }
 
-  /** A number of a corner, counted from 0. @param value - counted from 1, or, negative, from the end */
+  /** Converts an index of a corner to one from 0. @param value - counted from 1, or, negative, from the end */
   private index(value: number, length: number): number {
     const index = value > 0 ? value - 1 : length + value;
     if (!(value !== 0 && index >= 0)) this.fail('a corner of the face names a vertex that does not exist');

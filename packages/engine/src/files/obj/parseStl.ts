@@ -15,7 +15,7 @@ const isText = (bytes: Uint8Array): boolean => /^\W{0,5}solid/i.test(String.from
 /** Lines from one step to the next: about a millisecond of work. */
 const STEP = 4096;
 
-/** @returns whether it is text @throws Error of one sentence when the loader would read beyond the end */
+/** @returns whether the file is text @throws Error of one sentence when a binary file is cut short */
 function checkStl(bytes: Uint8Array): boolean {
   if (bytes.length < HEADER) throw new Error('it is cut short: an STL file has 84 bytes at least. Export it again.');
   const facets = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
@@ -28,14 +28,11 @@ function checkStl(bytes: Uint8Array): boolean {
   return false;
 }
 
-/**
- * The corners of the triangles of a text. three's loader looks for each beginning's end in all that follows, again and
- * again where there is none.
- */
+/** Parses the corners of a text STL. three's loader searches the whole rest of the file for each missing end. */
 function* parseText(bytes: Uint8Array): Steps<BufferGeometry> {
   const reader = new LineReader(bytes);
   const corners = floatList();
-  // the name of a solid may hold any words
+  // the name of a solid may contain any words, also keywords
   let isInLoop = false;
   while (!reader.isAtEnd) {
     for (let i = 0; i < STEP && !reader.isAtEnd; i++) {

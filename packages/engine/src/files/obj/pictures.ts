@@ -1,4 +1,4 @@
-/** A picture in memory: 8-bit sRGB or data, RGBA, rows from the top down, alpha not multiplied in. */
+/** Decoded image: 8-bit sRGB or data, RGBA, top row first, alpha not premultiplied. */
 export interface Picture {
   readonly width: number;
   readonly height: number;
@@ -8,7 +8,7 @@ export interface Picture {
 /** Number of texels sampled to classify an image. */
 const SAMPLES = 4096;
 
-/** Calls back for up to `SAMPLES` texels, evenly spread, with where each begins in the data. */
+/** Calls `look` for up to `SAMPLES` evenly spread texels, with the index of their first byte. Returns the count. */
 function sample({ data }: Picture, look: (at: number) => void): number {
   const texels = data.length / 4;
   const step = Math.max(1, Math.floor(texels / SAMPLES));
@@ -17,7 +17,7 @@ function sample({ data }: Picture, look: (at: number) => void): number {
   return count;
 }
 
-/** Whether a picture that is said to hold heights holds normals: its texels are directions, most of them upright. */
+/** Whether a supposed height map is a normal map: its texels are directions, most of them near +Z. */
 export function holdsNormals(picture: Picture): boolean {
   const { data } = picture;
   let directions = 0;
@@ -36,7 +36,7 @@ const luminance = (data: Picture['data'], at: number): number =>
 /** Slope of a step from black to white between two neighbouring texels. */
 const STEEPNESS = 4;
 
-/** A map of normals, green up, from one of heights, which repeats. @param bump - factor of the heights */
+/** Normal map (green up) of a height map that repeats. @param bump - factor of the heights */
 export function normalsOfHeights(heights: Picture, bump: number): Picture {
   const { width, height, data } = heights;
   const level = new Float32Array(width * height);
@@ -60,7 +60,7 @@ export function normalsOfHeights(heights: Picture, bump: number): Picture {
   return { width, height, data: result };
 }
 
-/** Whether the alpha of a picture says anything. */
+/** Whether any texel of a picture is transparent. */
 export function hasAlpha(picture: Picture): boolean {
   let isUsed = false;
   sample(picture, (at) => {
@@ -70,7 +70,7 @@ export function hasAlpha(picture: Picture): boolean {
 }
 
 /**
- * A colour picture with the opacity of another one: its alpha where that says anything, else its brightness.
+ * A colour picture with the opacity of another one: its alpha if any texel is transparent, else its brightness.
  * @param colour - white when null
  */
 export function withOpacity(colour: Picture | null, opacity: Picture): Picture {
@@ -89,7 +89,7 @@ export function withOpacity(colour: Picture | null, opacity: Picture): Picture {
   return { width, height, data };
 }
 
-/** Whether the alpha of a picture is nearly everywhere 0 or 1: it cuts something out, such as a leaf. */
+/** Whether alpha is nearly everywhere 0 or 1, as in the picture of a leaf. */
 export function isCutOut(picture: Picture): boolean {
   let between = 0;
   const count = sample(picture, (at) => {
@@ -100,8 +100,8 @@ export function isCutOut(picture: Picture): boolean {
 }
 
 /**
- * Roughness, in the green channel as glTF wants it, from a picture of how strong highlights are.
- * @param smoothest - where white
+ * Roughness texture (green channel, as in glTF) of a map of specular strength.
+ * @param smoothest - roughness where the map is white
  */
 export function roughnessOfSpecular(specular: Picture, smoothest: number): Picture {
   const { width, height, data } = specular;

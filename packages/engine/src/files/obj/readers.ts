@@ -9,7 +9,7 @@ import { parseStl } from './parseStl';
 interface MeshReader {
   /** Whether faces of the format name materials of MTL files. */
   readonly hasMaterials: boolean;
-  /** @throws Error (as a rejection) of one sentence that says what is wrong; what the signal was aborted with */
+  /** @throws Error (as a rejection) of one sentence that says what is wrong; the signal's abort reason */
   read(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSignal): Promise<ObjFile>;
 }
 

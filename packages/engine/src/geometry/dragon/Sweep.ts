@@ -9,7 +9,7 @@ export type Section = (u: number, v: number) => readonly [side: number, up: numb
 
 const [moved, tangent] = [new Vector3(), new Vector3()];
 
-/** A round cross-section of a radius (m) that may change along the way. */
+/** A round cross-section, whose radius (m) may vary along the curve. */
 export const round =
   (radius: (v: number) => number): Section =>
   (u, v) => {
@@ -17,18 +17,18 @@ export const round =
     return [radius(v) * Math.cos(angle), radius(v) * Math.sin(angle)];
   };
 
-/** Pieces by which the length of a curve is measured. */
+/** Number of chords by which the length of a curve is measured. */
 const PIECES = 400;
 
-/** Half the step by which directions are measured. */
+/** Half the parameter step of the finite difference that gives directions. */
 const STEP = 1e-4;
 
-/** Between b and c of four points on a line, at t from the knot of b to that of c. @see Barry and Goldman 1988 */
+/** Value at t between b and c of four values at knots. @see Barry and Goldman 1988 @see Barry and Goldman 1988 */
 function between(points: readonly number[], knots: readonly number[], t: number): number {
   let level = points;
   for (let degree = 1; degree < 4; degree++) {
     level = level.slice(1).map((next, i) => {
-      // the two lower levels span the knots beside b and c alone
+      // the two lower levels only depend on the knots of b and c
       const [from, to] = degree === 3 ? [knots[1], knots[2]] : [knots[i], knots[i + degree]];
       return (level[i] * (to - t) + next * (t - from)) / (to - from);
     });
@@ -64,7 +64,7 @@ export class Sweep {
     }
   }
 
-  /** The point at t from 0 to 1, in steps of the points given. */
+  /** Point at t from 0 to 1; each pair of given points spans an equal part of t. */
   private pointAt(t: number, target: Vector3): Vector3 {
     const count = this.points.length - 3;
     const first = Math.min(Math.floor(t * count), count - 1);
@@ -94,29 +94,29 @@ export class Sweep {
     return (piece + (to > from ? (length - from) / (to - from) : 0)) / PIECES;
   }
 
-  /** The point of the curve at v from 0 to 1, moved by offsets to the side (z) and upwards, across the curve. */
+  /** Point of the curve at v (0 to 1), with offsets perpendicular to the curve: to the side (+z), and upwards. */
   at(v: number, side = 0, up = 0): Vector3Tuple {
     if (v !== this.placed) this.place(v);
     moved.copy(this.point).addScaledVector(this.across, side).addScaledVector(this.upwards, up);
     return [moved.x, moved.y, moved.z];
   }
 
-  /** Finds point and directions at v, which a whole ring of vertices shares. */
+  /** Computes point and directions at v; cached, since a whole ring of vertices shares v. */
   private place(v: number): void {
     const t = this.parameterAt(Math.min(1, Math.max(0, v)));
     this.pointAt(Math.min(1, t + STEP), tangent)
       .sub(this.pointAt(Math.max(0, t - STEP), moved))
       .normalize();
     this.across.set(0, 0, 1).addScaledVector(tangent, -tangent.z).normalize();
-    // above the curve where it goes towards +x
+    // points up where the curve runs towards +x
     this.upwards.crossVectors(this.across, tangent);
     this.pointAt(t, this.point);
     this.placed = v;
   }
 
-  /** The surface of a section along the curve, for `MeshBuilder.surface`. */
+  /** Surface of a cross-section swept along the curve, for `MeshBuilder.surface`. */
   surface(section: Section): Surface {
-    // facing out: anticlockwise seen from where the curve comes from
+    // faces outwards: anticlockwise seen against the curve's direction
     return (u, v) => this.at(v, ...section(1 - u, v));
   }
 }

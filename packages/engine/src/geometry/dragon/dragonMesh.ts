@@ -36,13 +36,13 @@ const smooth = (from: number, to: number, x: number): number => {
 const girth = (v: number): number =>
   0.042 + 0.04 * smooth(0.08, 0.38, v) - 0.03 * smooth(0.46, 0.68, v) - 0.0445 * smooth(0.6, 1, v);
 
-/** Scales on the back and the flanks, broad plates on the belly. */
+/** Cross-section with scales on the back and flanks, and broad plates on the belly. */
 const hide: Section = (u, v) => {
   const angle = 2 * Math.PI * u;
   const row = v * SCALES.along;
   const shift = Math.floor(row) % 2 === 0 ? 0 : 0.5;
   const [along, across] = [row % 1, (u * SCALES.round + shift) % 1];
-  // the back of each scale stands up over the next one
+  // the rear edge of each scale overlaps the next scale
   const scale = along ** 1.5 * (1 - (2 * across - 1) ** 2);
   const isBelly = smooth(-0.55, -0.8, Math.sin(angle));
   const radius = girth(v) * (1 + (1 - isBelly) * 0.13 * scale + isBelly * 0.06 * along);
@@ -205,7 +205,7 @@ function addHead(mesh: MeshBuilder): void {
   }
 }
 
-/** A leg: thigh, shin and four toes with claws. @param hip - where it leaves the body @param foot - its heel */
+/** A leg: thigh, shin and four toes with claws. @param hip - joint at the body @param foot - its heel */
 function addLeg(mesh: MeshBuilder, hip: Vector3Tuple, knee: Vector3Tuple, foot: Vector3Tuple): void {
   const leg = new Sweep([hip, knee, [foot[0] + 0.012, foot[1] + 0.055, foot[2]], foot]);
   const muscle = round((v) => 0.022 + 0.04 * Math.exp(-(((v - 0.16) / 0.24) ** 2)) + 0.004 * smooth(0.8, 1, v));

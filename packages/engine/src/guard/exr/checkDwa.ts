@@ -1,7 +1,7 @@
 import { inflateBlock } from './inflateBlock';
 import { runLengthSize } from './runLengthSize';
 
-/** Numbers of 8 bytes at the beginning of a block. */
+/** Count of 8-byte numbers at the beginning of a block. */
 const NUMBERS = 11;
 const DEFLATE = 1;
 
@@ -9,12 +9,12 @@ const damaged = (): never => {
   throw new Error('a block of it is damaged');
 };
 
-/** Codes of a table of lengths that stand for so many zeros, and more by the next eight bits. */
+/** Code lengths 59 to 62 stand for 2 to 5 zeros, 63 for 6 zeros plus the number in the next eight bits. */
 const ZEROS = 59;
 const MANY_ZEROS = 63;
 const CODES = 65_537;
 
-/** The byte after Huffman codes that begin at a byte, as three reads them. */
+/** Offset of the first byte after Huffman codes, as three's EXRLoader parses them. */
 function endOfCodes(bytes: Uint8Array<ArrayBuffer>, from: number): number {
   if (from + 20 > bytes.length) damaged();
   const view = new DataView(bytes.buffer, bytes.byteOffset + from);
@@ -34,8 +34,8 @@ function endOfCodes(bytes: Uint8Array<ArrayBuffer>, from: number): number {
 }
 
 /**
- * Checks a block of the compression DWA: rules of channels, then coefficients that do not or do vary, and bytes as run lengths.
- * @param size - bytes that it must become
+ * Checks a DWA block: rules of channels, AC and DC coefficients, run lengths and raw bytes.
+ * @param size - unpacked size of the block (bytes)
  * @see OpenEXR, ImfDwaCompressor.cpp
  */
 export async function checkDwa(bytes: Uint8Array<ArrayBuffer>, size: number): Promise<void> {
@@ -56,7 +56,7 @@ export async function checkDwa(bytes: Uint8Array<ArrayBuffer>, size: number): Pr
     if (length > bytes.length - at) damaged();
     return bytes.subarray(at, (at += length));
   };
-  // three takes so many bytes as there are coefficients
+  // three's EXRLoader reads as many bytes as there are coefficients
   if (ac > 0) {
     const packed = take(acKind === DEFLATE ? acCount : ac);
     if (acKind !== DEFLATE && endOfCodes(bytes, at - ac) !== at) damaged();

@@ -11,7 +11,7 @@ const fail = (problem: string): never => {
   throw new Error(problem);
 };
 
-/** Checks what a block becomes. @param size - bytes that it must become */
+/** Checks the unpacked size of a block. @param size - expected size (bytes) */
 async function checkBlock(bytes: Uint8Array<ArrayBuffer>, size: number, compression: number): Promise<void> {
   // a block that compression would not shrink is stored uncompressed
   if (bytes.length >= size) return;
@@ -24,8 +24,8 @@ async function checkBlock(bytes: Uint8Array<ArrayBuffer>, size: number, compress
 }
 
 /**
- * Checks that Huffman codes end within a block of PIZ: three's loader bounds the pixels that they become, not where
- * they end.
+ * Checks that Huffman codes end within a PIZ block; three's loader only limits the number of pixels that they decode
+ * to.
  */
 function checkPiz(bytes: Uint8Array<ArrayBuffer>): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -34,7 +34,7 @@ function checkPiz(bytes: Uint8Array<ArrayBuffer>): void {
   if (at + 4 > bytes.length || at + 4 + view.getUint32(at, true) > bytes.length) fail('a block of it is cut short');
 }
 
-/** A row of a deep picture: how many samples its pixels have, and the samples. @returns bytes of it */
+/** Checks a row of a deep picture: the sample count of each pixel, and the samples. @returns size of the row (bytes) */
 async function checkDeepRow(
   view: DataView<ArrayBuffer>,
   at: number,
@@ -56,7 +56,7 @@ async function checkDeepRow(
 
 /**
  * Checks an EXR before three's loader reads it, which allocates memory for any size that the file states.
- * @throws Error (as a rejection) that says what is wrong with its header, or with a block of it
+ * @throws Error (as a rejection) that says what is wrong with the header or a block
  * @see OpenEXR file layout
  */
 export async function checkExr(bytes: ArrayBuffer): Promise<void> {
@@ -65,7 +65,7 @@ export async function checkExr(bytes: ArrayBuffer): Promise<void> {
   const view = new DataView(bytes);
   const prefix = isMultiPart ? 4 : 0;
   const head = isTiled ? 20 : 8;
-  /** Sum of the blocks' sizes (bytes): more than the file has, if blocks share bytes. */
+  /** Sum of the blocks' sizes (bytes); greater than the file if blocks overlap. */
   let sum = 0;
   let at = header.end + table * 8;
   if (at > bytes.byteLength) fail('its list of blocks is cut short');

@@ -19,15 +19,15 @@ interface Exr {
   channels?: number;
   width?: number;
   height?: number;
-  /** In place of what it has: attributes by name. */
+  /** Attributes by name that replace the default ones. */
   attributes?: Record<string, Buffer>;
   flags?: number;
-  /** Offsets in the list of blocks, of a file of several parts. */
+  /** Block offsets in the table, for a file of several parts. */
   places?: number[];
   blocks: Buffer[];
 }
 
-/** Writes an EXR of half floats. Each block is its data alone, or its data with the header of the block. */
+/** Makes an EXR of half floats. A block is its data, or its data with its own header. */
 function exr({
   compression = ZIP,
   channels = 3,
@@ -61,14 +61,14 @@ function exr({
   return new Uint8Array(Buffer.concat([...head, longs(...places), ...rest.blocks])).buffer;
 }
 const rows = (row: number, data: Uint8Array): Buffer => Buffer.concat([int(row, data.length), data]);
-/** Bytes of 16 rows of 64 pixels of three half floats. */
+/** Unpacked size (bytes) of 16 rows of 64 pixels of three half floats. */
 const SIZE = 64 * 16 * 6;
 const zeros = (size: number): Buffer => deflateSync(Buffer.alloc(size), { level: 9 });
 
-/** Steps in which a file is refused, at most: run lengths of half a megabyte take a quarter of a million. */
+/** Greatest number of steps until a refusal: run lengths of half a megabyte take a quarter of a million. */
 const STEPS = 500_000;
 
-/** Error that a file is refused with; 'none' where it is read. */
+/** Error that refuses a file; 'none' when it is read. */
 async function refusal(bytes: ArrayBuffer): Promise<string> {
   let message = 'none';
   const work = await workOf(() => readEnvironment(bytes, 'EXR').catch((error: Error) => (message = error.message)));
@@ -102,7 +102,7 @@ test('blocks that become what they must are read', async () => {
 
 const damage = /^its EXR data are damaged or cut short \((.+)\): export it again\.$/;
 
-/** A block of DWA whose run lengths become so many bytes. */
+/** A DWA block whose run lengths unpack to a given size. */
 const dwa = (numbers: number[], ...parts: Buffer[]): Buffer =>
   rows(0, Buffer.concat([longs(...numbers), Buffer.from([2, 0]), ...parts]));
 

@@ -2,8 +2,8 @@ import { unpack } from '../unpack';
 
 /**
  * Unpacks a block, or a part of one.
- * @param size - bytes that must come out, or may at most
- * @throws Error (as a rejection) when it is damaged, or becomes something else
+ * @param size - unpacked size (bytes), exact or at most
+ * @throws Error (as a rejection) when the block is damaged or of another size
  */
 export async function inflateBlock(
   bytes: Uint8Array<ArrayBuffer>,

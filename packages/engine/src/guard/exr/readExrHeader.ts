@@ -3,7 +3,7 @@ import { checkPixels } from '../pictures/imageSize';
 
 const BEGIN = 8;
 const [TILED, DEEP, MULTI_PART] = [0x200, 0x800, 0x1000];
-/** Bytes of attributes by their types: three's loader reads so many, whatever an attribute says. */
+/** Bytes of attributes by type: three's loader assumes these, whatever size an attribute states. */
 const SIZES: Readonly<Record<string, number>> = {
   box2i: 16,
   chromaticities: 32,
@@ -18,15 +18,15 @@ const SIZES: Readonly<Record<string, number>> = {
   v2f: 8,
   v3f: 12,
 };
-/** Maximum number of samples of a picture, and of bytes of one of its blocks. */
+/** Maximum number of samples of a picture, of bytes of a block, and of blocks. */
 const SAMPLES = 2 ** 30;
 const BLOCK = 2 ** 28;
 const BLOCKS = 2 ** 15;
 
-/** Rows of a block by compression, as three has them: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB. */
+/** Rows per block by compression, as in three: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB. */
 const ROWS = [1, 1, 1, 16, 32, 16, 32, 32, 32, 256];
 
-/** Header of the part of an EXR that is read: the first. */
+/** Header of the first part of an EXR, the only one that is read. */
 export interface ExrHeader {
   readonly width: number;
   readonly height: number;
@@ -56,7 +56,7 @@ const fail = (problem: string): never => {
 };
 const cut = (): never => fail('its header is incomplete');
 
-/** The attributes of each part, and the byte after them. */
+/** Reads the attributes of each part, and the offset of the byte after them. */
 function readAttributes(view: DataView): { parts: Attributes[]; end: number } {
   const all = new Uint8Array(view.buffer);
   let at = BEGIN;
@@ -74,7 +74,7 @@ function readAttributes(view: DataView): { parts: Attributes[]; end: number } {
   for (;;) {
     const name = readText();
     if (name === '') {
-      // each part of several ends with an empty name, and the last one with another
+      // an empty name ends each part; with several parts, one more empty name ends the list
       if (part.size > 0) parts.push(part);
       if (!isMultiPart || part.size === 0) break;
       part = new Map();
@@ -92,7 +92,7 @@ function readAttributes(view: DataView): { parts: Attributes[]; end: number } {
   return { parts, end: at };
 }
 
-/** Bytes of a pixel, as three counts them, and the number of channels. @see OpenEXR file layout: chlist */
+/** Size of a pixel (bytes) as three computes it, and the number of channels. @see OpenEXR file layout: chlist */
 function readChannels(view: DataView, from: number, size: number): { pixel: number; count: number } {
   const all = new Uint8Array(view.buffer, from, size);
   let pixel = 0;
@@ -109,8 +109,8 @@ function readChannels(view: DataView, from: number, size: number): { pixel: numb
 }
 
 /**
- * Reads the header of an EXR. Three's loader would search for the end of one that is cut short without end, and take memory
- * for whatever size it says.
+ * Reads the header of an EXR. three's loader never ends on a truncated header, and allocates whatever size a header
+ * states.
  * @throws Error when the header is not whole, or the picture, its tiles or blocks are of absurd size
  * @see OpenEXR file layout: attributes of name, type, size and value, an empty name at the end
  */
@@ -169,7 +169,10 @@ export function readExrHeader(bytes: ArrayBuffer): ExrHeader {
 
 type Size = { readonly width: number; readonly height: number };
 
-/** Tiles of the picture, and of all of its levels. @param mode - levels in its lower four bits, rounding in its upper ones */
+/**
+ * Tile counts: the picture's, all its levels'.
+ * @param mode - levels in its lower four bits, rounding in its upper ones
+ */
 function tileCounts({ width, height }: Size, tile: Size, mode: number): { blocks: number; table: number } {
   const round = mode >> 4 === 1 ? Math.ceil : Math.floor;
   const levels = (mode & 15) === 0 ? 1 : round(Math.log2(Math.max(width, height))) + 1;

@@ -1,4 +1,4 @@
-/** Bytes that run lengths come to, as EXR has them: a count below zero goes before bytes as they are, another before one that is repeated. */
+/** Unpacked size (bytes) of EXR run lengths: a negative count precedes literal bytes, another a repeated byte. */
 export function runLengthSize(bytes: Uint8Array): number {
   let size = 0;
   for (let at = 0; at < bytes.length;) {

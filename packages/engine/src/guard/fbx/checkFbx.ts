@@ -2,17 +2,17 @@ import { shortText } from '@farol/editing';
 import { counted } from '../../base/counted';
 import { unpack } from '../unpack';
 
-/** Bytes that arrays may come to, whatever the file's size is, and how many times its size they may come to. */
+/** Limit of the unpacked arrays: `FREE` bytes or `RATIO` times the file's size, whichever is greater. */
 const FREE = 64 * 2 ** 20;
 const RATIO = 100;
 
-/** Bytes of packed data that are unpacked without looking: they come to 4 MB at most. */
+/** Size (bytes) up to which packed arrays are unpacked without a check: they unpack to 4 MB at most. */
 const SMALL = 4096;
 
-/** Corners of faces of more than four, squared and added up: the loader cuts each by ears. */
+/** Limit on the squared corner counts of polygons, summed: ear clipping takes quadratic time. */
 const CUTTING = 500_000_000;
 
-/** Turns that the loader puts between the keys of curves, one for each half of a circle. */
+/** Limit on keys that the loader inserts into rotation curves: one for each half turn between two keys. */
 const TURNS = 10_000_000;
 
 /** Greatest nesting depth of FBX nodes. */
@@ -20,19 +20,19 @@ const DEEPEST = 200;
 
 const MAGIC = 'Kaydara FBX Binary  \0';
 
-/** Bytes of a value of an array, by the letter of its type. */
+/** Bytes of an array element, by type letter. */
 const sizes: Readonly<Record<string, number>> = { b: 1, c: 1, d: 8, f: 4, i: 4, l: 8 };
-/** Bytes of a single value, by the letter of its type. */
+/** Bytes of a single value, by type letter. */
 const singles: Readonly<Record<string, number>> = { C: 1, D: 8, F: 4, I: 4, L: 8, Y: 2 };
 
-/** Names that every object has: the loader would write into what all objects share. */
+/** Names of properties of Object.prototype: the loader would write to the prototype. */
 const shared = new Set(Object.getOwnPropertyNames(Object.prototype));
 
 const fail = (problem: string): never => {
   throw new Error(problem);
 };
 
-/** Counts the memory and work that an FBX asks for. Each method throws an Error whose message is the reason. */
+/** Limits the memory and work that an FBX causes. Each method throws an Error whose message is the reason. */
 class Budget {
   private bytes = 0;
   private cutting = 0;
@@ -51,7 +51,7 @@ class Budget {
     }
   }
 
-  /** @param indices - of corners, the last of a face negative */
+  /** @param indices - vertex indices of corners, the last of each face negative */
   takeFaces(indices: ArrayLike<number>): void {
     let corners = 0;
     for (let i = 0; i < indices.length; i++) {
@@ -63,7 +63,7 @@ class Budget {
     }
   }
 
-  /** @param values - of the keys of a curve, which may be an angle in degrees */
+  /** @param values - values of a curve's keys, which may be angles in degrees */
   takeCurve(values: ArrayLike<number>): void {
     for (let i = 1; i < values.length; i++) {
       const span = Math.abs(values[i] - values[i - 1]);
@@ -73,7 +73,7 @@ class Budget {
   }
 }
 
-/** An array of a node, as it lies in the file. */
+/** A packed array of a node, before it is unpacked. */
 interface PackedArray {
   readonly node: string;
   readonly type: string;
@@ -83,21 +83,21 @@ interface PackedArray {
 }
 
 /**
- * Goes through the nodes of a binary FBX as the loader does.
- * @throws RangeError where the loader reads beyond the end
+ * Parses the nodes of a binary FBX as three's loader does.
+ * @throws RangeError where the loader would read beyond the end
  */
 function* arraysOf(bytes: ArrayBuffer, budget: Budget): Generator<PackedArray> {
   const view = new DataView(bytes);
   let at = MAGIC.length + 2;
   const word = (): number => view.getUint32((at += 4) - 4, true);
   const isLong = word() >= 7500;
-  // the other half of a length is beyond any file, and the loader reads both
+  // the loader reads both halves of a length; no file is long enough to need the upper one
   const length = (): number => (isLong ? word() + word() * 2 ** 32 : word());
   const { byteLength } = bytes;
   const isOver = (): boolean => (byteLength % 16 === 0 ? Math.floor((at + 176) / 16) * 16 : at + 176) >= byteLength;
   const nameOf = (size: number): string =>
     String.fromCharCode(...new Uint8Array(bytes, at, size)).replace(/\0.*$/s, '');
-  /** Ends of the nodes that are being read, the innermost last (bytes). */
+  /** Byte offsets at which the open nodes end, the innermost last. */
   const open: number[] = [];
   while (open.length > 0 || !isOver()) {
     if (open.length > 0 && at >= open.at(-1)!) {
@@ -132,7 +132,7 @@ function* arraysOf(bytes: ArrayBuffer, budget: Budget): Generator<PackedArray> {
   }
 }
 
-/** Unpacks an array, of `most` bytes at most. @returns null when the data are damaged, which the loader says */
+/** Unpacks an array of at most `most` bytes. @returns null for damaged data, which the loader reports */
 const unpacked = (bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer> | null> =>
   unpack(bytes, 'deflate', { most }).catch((error: unknown) =>
     error instanceof RangeError ? fail('its arrays come to more than it says') : null,
@@ -178,9 +178,9 @@ function checkText(bytes: ArrayBuffer, budget: Budget): void {
 }
 
 /**
- * Checks an FBX before three's loader reads it, which writes entries of any name into objects, unpacks whatever comes,
- * cuts faces of any number of corners at once, and puts as many keys into a clip as its angles ask for.
- * @throws Error (as a rejection) whose message is the reason; what the signal was aborted with
+ * Checks an FBX before three's loader reads it. The loader writes entries of any name into objects, unpacks arrays of
+ * any size, triangulates faces of any number of corners, and adds as many keys to a clip as its angles require.
+ * @throws Error (as a rejection) whose message is the reason; the signal's abort reason
  */
 export async function checkFbx(bytes: ArrayBuffer, signal?: AbortSignal): Promise<void> {
   const budget = new Budget(bytes.byteLength);

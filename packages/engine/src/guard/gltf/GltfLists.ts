@@ -66,7 +66,7 @@ export class GltfLists {
     return value as unknown[];
   }
 
-  /** The value where it is an object; an empty one otherwise. */
+  /** The value if it is an object; else an empty object. */
   record(value: unknown): JsonRecord {
     return typeof value === 'object' && value !== null ? (value as JsonRecord) : {};
   }
@@ -79,7 +79,7 @@ export class GltfLists {
     return value as number;
   }
 
-  /** The place of an entry that is there. @param who - names it */
+  /** Checks that a value is a valid index into a list. @param who - subject of the message */
   index(value: unknown, list: GltfListName, who: string): number {
     const { length } = this.all(list);
     if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= length) {

@@ -37,7 +37,7 @@ const valid = (): Json => ({
   buffers: [{ byteLength: 42 }],
 });
 
-/** The triangle without a picture, as Node can read it. */
+/** The triangle without its picture, which Node cannot read. */
 function plain(): Json {
   const json = valid();
   for (const key of ['skins', 'materials', 'textures', 'images', 'animations']) delete json[key];
@@ -46,7 +46,7 @@ function plain(): Json {
   return json;
 }
 
-/** A GLB of some JSON and 44 bytes. */
+/** A GLB of the given JSON and 44 bytes. */
 function glb(json: Json, positions: readonly number[] = POSITIONS): ArrayBuffer {
   const text = new TextEncoder().encode(JSON.stringify(json));
   const length = Math.ceil(text.length / 4) * 4;
@@ -300,7 +300,7 @@ describe('pictures', () => {
     const absurd = png(60_000, 60_000);
     const base64 = Buffer.from(absurd).toString('base64');
     const percent = [...absurd].map((byte) => `%${byte.toString(16).padStart(2, '0')}`).join('');
-    // behind 80 kB of what programs write into a JPEG
+    // 80 kB of metadata before the JPEG's size
     const segment = [0xff, 0xe1, 0x9c, 0x40, ...Array.from({ length: 0x9c40 - 2 }, () => 0)];
     const frame = [0xff, 0xc0, 0, 11, 8, 0xff, 0x00, 0xff, 0x00, ...Array.from({ length: 20 }, () => 0)];
     const jpeg = Buffer.from([0xff, 0xd8, ...segment, ...segment, ...frame]).toString('base64');
@@ -314,7 +314,7 @@ describe('pictures', () => {
       json.images[0].uri = uri;
       await expect(readModel(glb(json))).rejects.toThrow(/\d{5} × \d{5} pixels/);
     }
-    // in a buffer of a .gltf
+    // embedded in a buffer of a .gltf
     const json = valid();
     json.buffers.push({ byteLength: 40, uri: `data:application/octet-stream;base64,${base64}` });
     json.bufferViews.push({ buffer: 1, byteLength: 40 });

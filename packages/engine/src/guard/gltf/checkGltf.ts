@@ -3,7 +3,7 @@ import { checkGltfNodes } from './checkGltfNodes';
 import { GltfLists } from './GltfLists';
 import type { GltfJson } from './readGltfJson';
 
-/** Bytes that may be made of nothing or of little: zeros, compressed data, views of the same data. */
+/** Limit on unpacked, shared or zero data: `FREE` bytes, or `RATIO` times the stored data if that is more. */
 const FREE = 64 * 2 ** 20;
 const RATIO = 100;
 
@@ -22,8 +22,8 @@ export interface GltfSizes {
 }
 
 /**
- * Checks a glTF before the loader takes memory for it: that what is named is there, that data lie within their buffers,
- * that nodes are a tree, and that nothing is of absurd size. It knows what three's loader reads, and no more.
+ * Checks a glTF before a loader allocates memory for it: that references exist, that data lie within their buffers,
+ * that nodes form a tree, and that no size is absurd. Covers only the parts that three's loader reads.
  * @throws Error of one sentence: what is wrong, and where
  * @see glTF 2.0, 3 to 5
  */
@@ -43,7 +43,7 @@ function checkBuffers(lists: GltfLists, { binary, sizeOf }: GltfSizes): number[]
     const what = `buffer ${i}`;
     const length = lists.whole(byteLength, `the length of ${what}`);
     if (uri !== undefined && typeof uri !== 'string') lists.fail(`the address of ${what} is not text`);
-    // a buffer that stands in for compressed data has no bytes of its own
+    // a placeholder buffer for compressed data has no bytes of its own
     const isEmpty = Object.values(lists.record(extensions)).some((each) => lists.record(each).fallback === true);
     const there = typeof uri === 'string' ? (sizeOf?.(uri) ?? null) : i === 0 ? binary : isEmpty ? null : 0;
     if (there !== null && length > there && !isEmpty) {
@@ -53,7 +53,7 @@ function checkBuffers(lists: GltfLists, { binary, sizeOf }: GltfSizes): number[]
   });
 }
 
-/** The extension by which meshopt packs a view; null when it does not. */
+/** Name of the extension by which meshopt compresses a view; null for other views. */
 function meshoptOf(lists: GltfLists, view: Record<string, unknown>): Record<string, unknown> | null {
   const [found] = Object.entries(lists.record(view.extensions)).filter(([name]) =>
     name.endsWith('_meshopt_compression'),
@@ -129,7 +129,7 @@ function checkAccessors(lists: GltfLists): void {
     fits(indices, changed, COMPONENTS[indices.componentType as number] ?? 4);
     fits(lists.record(sparse.values), changed, size);
   });
-  // each accessor becomes a buffer on the GPU; sparse ones are copied
+  // each accessor becomes a buffer on the GPU, and sparse ones are copied
   const packed = lists.all('buffers').reduce((total, { byteLength }) => total + (byteLength as number), 0);
   if (sum > Math.max(FREE, packed * RATIO)) {
     lists.fail(`its accessors come to ${counted(sum)} bytes of buffers that have ${counted(packed)}`);
@@ -161,7 +161,7 @@ function dracoAccessors(lists: GltfLists): Set<unknown> {
   return found;
 }
 
-/** Three puts morph targets into a texture of floats before a mesh is first drawn. */
+/** Checks morph targets, which three copies to a float texture before a mesh is first drawn. */
 function checkTargets(lists: GltfLists, { attributes, targets = [] }: Record<string, unknown>, what: string): number {
   const list = lists.listOf(targets, `the targets of ${what}`);
   if (list.length > TARGETS) {

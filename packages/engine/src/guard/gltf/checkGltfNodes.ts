@@ -4,7 +4,7 @@ import { maximumDepth } from '../../base/maximumDepth';
 import { absurdSize, LARGEST } from '../checkModel';
 import type { GltfLists } from './GltfLists';
 
-/** Greatest number of vertices drawn, each mesh counted as often as it is drawn, and of primitives. */
+/** Greatest number of vertices drawn, with each mesh counted as often as it is drawn, and of primitives. */
 const VERTICES = 100_000_000;
 const DRAWS = 1_000_000;
 
@@ -56,7 +56,7 @@ function verticesOf(lists: GltfLists, primitives: readonly Record<string, unknow
   }, 0);
 }
 
-/** Nodes in such an order that each comes after its parent, with their parents. */
+/** Nodes in an order with parents before children, and the parent of each. */
 function treeOf(lists: GltfLists): { order: number[]; parents: Map<number, number> } {
   const nodes = lists.all('nodes');
   const parents = new Map<number, number>();
@@ -82,7 +82,10 @@ function treeOf(lists: GltfLists): { order: number[]; parents: Map<number, numbe
   return { order, parents };
 }
 
-/** Checks that nodes are a tree of sensible depth, where they are, and how much is drawn. @throws Error of one sentence */
+/**
+ * Checks that nodes are a tree of limited depth, their positions, and the amount drawn.
+ * @throws Error of one sentence
+ */
 export function checkGltfNodes(lists: GltfLists): void {
   const nodes = lists.all('nodes');
   const { order, parents } = treeOf(lists);

@@ -4,7 +4,7 @@ import { checkSignature } from '../signature';
 /** The extension by which nodes have lights with photometric profiles. */
 export const LIGHTS_IES = 'EXT_lights_ies';
 
-/** JSON of a glTF file, as far as it is read before the loader runs. @see glTF 2.0, 3.1 */
+/** JSON of a glTF file: the parts that are read before the loader runs. @see glTF 2.0, 3.1 */
 export interface GltfJson {
   asset?: { version?: string };
   extensionsUsed?: string[];
@@ -12,11 +12,11 @@ export interface GltfJson {
   bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[];
   images?: { uri?: string; mimeType?: string; bufferView?: number }[];
   extensions?: { [LIGHTS_IES]?: { lights?: LightProfileJson[] } };
-  /** Index of the default scene, which is shown. */
+  /** Index of the default scene. */
   scene?: number;
 }
 
-/** A photometric profile in a glTF: a file, or a view of a buffer. @see EXT_lights_ies */
+/** A photometric profile in a glTF: in a file, or in a buffer view. @see EXT_lights_ies */
 export interface LightProfileJson {
   name?: string;
   uri?: string;
@@ -24,7 +24,7 @@ export interface LightProfileJson {
   mimeType?: string;
 }
 
-/** Photometric profiles of a glTF that was not checked; none where their list is something else. */
+/** Photometric profiles of an unchecked glTF; none if their list is no array. */
 export function lightProfilesOf({ extensions }: GltfJson): readonly LightProfileJson[] {
   const lights: unknown = extensions?.[LIGHTS_IES]?.lights;
   return Array.isArray(lights) ? lights.filter((each) => typeof each === 'object' && each !== null) : [];
@@ -34,7 +34,7 @@ const glbMagic = 0x46546c67;
 const jsonChunk = 0x4e4f534a;
 
 /**
- * Takes the JSON out of a .glb or .gltf file.
+ * Reads the JSON of a .glb or .gltf file.
  *
  * @throws Error that says what is wrong with the bytes
  * @see glTF 2.0, 4.4: header of 12 bytes, then chunks of length, type and data
@@ -54,7 +54,7 @@ export function readGltfJson(bytes: ArrayBuffer): GltfJson {
 
 const binaryChunk = 0x004e4942;
 
-/** The bytes of a GLB's own buffer; null when it has none, as a .gltf. Its JSON must have been read before. */
+/** The binary chunk of a GLB; null without one, as for a .gltf. Call `readGltfJson` first, which checks the file. */
 export function binaryOf(bytes: ArrayBuffer): Uint8Array<ArrayBuffer> | null {
   const view = new DataView(bytes);
   if (view.getUint32(0, true) !== glbMagic) return null;
@@ -85,7 +85,7 @@ function parseJson(bytes: ArrayBuffer): unknown {
   try {
     return JSON.parse(new TextDecoder().decode(bytes));
   } catch (error) {
-    throw new Error(`its JSON cannot be read: ${shortText((error as Error).message, 160)}`, {
+    throw new Error(`its JSON cannot be read (${shortText((error as Error).message, 160)}): export it again.`, {
       cause: error,
     });
   }

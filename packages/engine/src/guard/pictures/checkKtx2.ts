@@ -1,8 +1,8 @@
 import { checkPixels } from './imageSize';
 
 /**
- * Checks a KTX2 before the transcoder takes memory for it.
- * @throws Error when it is cut short, of absurd size, or more than one picture @see KTX 2.0, 3
+ * Checks a KTX2 before the transcoder allocates memory for it.
+ * @throws Error when the file is cut short, of absurd size, or holds more than one picture @see KTX 2.0, 3
  */
 export function checkKtx2(view: DataView): void {
   if (view.byteLength < 80) throw new Error('it is cut short: export it again.');

@@ -22,12 +22,12 @@ test('tell their size', () => {
   webp.set([255, 1, 0, 127, 0, 0], 24);
   expect(imageSize(webp)).toEqual({ width: 512, height: 128 });
   expect(imageSize(of(1, 2, 3))).toBeNull();
-  // bytes between segments, and marks without a segment, are passed over, as decoders do
+  // bytes between segments, and markers without a segment, are skipped, as in decoders
   const odd = of(0xff, 0xd8, 0xff, 0x01, 7, 8, 0xff, 0xd0, 0xff, 0xff, 0xc0, 0, 11, 8, 0x01, 0x00, 0x02, 0x00);
   expect(imageSize(odd)).toEqual({ width: 512, height: 256 });
   const tabs = new TextEncoder().encode(`#?RADIANCE\n${`# ${'x'.repeat(80)}\n`.repeat(60)}\n-Y\t16\t+X\t32\n`);
   expect(imageSize(tabs)).toEqual({ width: 32, height: 16 });
-  // what browsers decode besides, and may have been renamed
+  // other formats of browsers, which may have a wrong extension
   expect(imageSize(of(...letters('GIF89a'), 0x00, 0x02, 0x00, 0x01))).toEqual({ width: 512, height: 256 });
   const bmp = [...letters('BM'), ...Array.from({ length: 12 }, () => 0), 40, 0, 0, 0, 0, 2, 0, 0, 0, 0xff, 0xff, 0xff];
   expect(imageSize(of(...bmp))).toEqual({ width: 512, height: 256 });

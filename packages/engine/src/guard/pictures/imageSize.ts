@@ -1,8 +1,8 @@
-/** Pixels a side, and in all, beyond which a picture is not decoded. */
+/** Greatest pixels per side, and in total, of a picture that is decoded. */
 const SIDE = 16_384;
 const PIXELS = 2 ** 27;
 
-/** Size of a picture by its header (px); null when the header is of no known format. */
+/** Size of a picture from its header (px); null for an unknown format. */
 export function imageSize(bytes: Uint8Array): { width: number; height: number } | null {
   if (bytes.length < 30) return null;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -24,7 +24,7 @@ export function imageSize(bytes: Uint8Array): { width: number; height: number } 
   return tag(4) === 'ftyp' ? avifSize(view) : null;
 }
 
-/** Bytes in which a header says its size. */
+/** Number of bytes at the start of a file that must contain the size. */
 const HEAD = 65_536;
 
 /** The largest of the pictures in an AVIF, each with a property `ispe`. @see ISO/IEC 23008-12, 6.5.3 */
@@ -52,14 +52,14 @@ function webpSize(view: DataView, kind: string): { width: number; height: number
 }
 
 /**
- * Bytes between segments are passed over, as decoders do.
+ * Bytes between segments are skipped, as in decoders.
  * @see ITU-T T.81, B.2.2: the frame header is a segment of its own, SOF0 to SOF15 without DHT, JPG and DAC
  */
 function jpegSize(view: DataView): { width: number; height: number } | null {
   let at = 2;
   while (at + 9 <= view.byteLength) {
     const marker = view.getUint8(at + 1);
-    // RST0 to EOI and TEM stand alone; zero is data
+    // RST0 to EOI and TEM have no length; 0xFF00 is data
     const isAlone = (marker >= 0xd0 && marker <= 0xd9) || marker <= 1;
     if (view.getUint8(at) !== 0xff || marker === 0xff || isAlone) {
       at++;
@@ -73,14 +73,14 @@ function jpegSize(view: DataView): { width: number; height: number } | null {
   return null;
 }
 
-/** @throws Error when a picture would take absurd memory once it is decoded */
+/** @throws Error when a picture would take too much memory once decoded */
 export function checkImageSize(bytes: Uint8Array): void {
   const size = imageSize(bytes);
   if (!size) return;
   checkPixels(size.width, size.height);
 }
 
-/** A picture that is not decoded, since it would take absurd memory. */
+/** Error for a picture that is not decoded, since it would take too much memory. */
 export class PixelsError extends Error {}
 
 /** @throws PixelsError when a picture has more pixels than the limit */

@@ -3,17 +3,14 @@ import { readExrHeader } from '../exr/readExrHeader';
 import { signatureOf } from '../signature';
 import { checkPixels, imageSize, PixelsError } from './imageSize';
 
-/**
- * Bytes that the files of a library may come to once decoded, whatever their size, and how many times their size
- * beyond.
- */
+/** Limit on the decoded files of a library: `FREE` bytes plus `RATIO` times the size of the files. */
 const FREE = 2 ** 30;
 const RATIO = 32;
 
 /**
- * @param decoded - bytes of all that is decoded
- * @param files - bytes of all files
- * @throws PixelsError when it is too much
+ * @param decoded - total decoded size (bytes)
+ * @param files - total file size (bytes)
+ * @throws PixelsError when `decoded` exceeds the limit
  */
 export function checkMemory(decoded: number, files: number): void {
   const limit = FREE + RATIO * files;
@@ -25,7 +22,7 @@ export function checkMemory(decoded: number, files: number): void {
 }
 
 /**
- * Bytes that a picture takes once decoded; 0 where its head says nothing.
+ * Decoded size of a picture (bytes); 0 for an unknown header.
  * @throws PixelsError for one of absurd size
  */
 export function pictureMemory(bytes: Uint8Array): number {

@@ -1,4 +1,4 @@
-/** Length, channels and rate of a sound once it is decoded. */
+/** Length, channels and rate of a decoded sound. */
 export interface SoundSize {
   /** Duration of the sound (s). */
   readonly seconds: number;

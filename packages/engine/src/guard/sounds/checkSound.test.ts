@@ -20,9 +20,9 @@ interface Wav {
   channels?: number;
   rate?: number;
   bits?: number;
-  /** Bytes that its header says. */
+  /** Size in the header (bytes). */
   says?: number;
-  /** Bytes that it has. */
+  /** True size (bytes). */
   has: number;
 }
 
@@ -32,7 +32,7 @@ const wav = ({ format = 1, channels = 1, rate = 48_000, bits = 16, has, says = h
     ...['data', u32(says), Buffer.alloc(has)],
   );
 
-/** The header of a frame of FLAC of 65,536 samples, its checksum at the end. */
+/** Header of a FLAC frame of 65,536 samples, with its checksum. */
 function flacFrame(): Buffer {
   const head = [0xff, 0xf8, 0x79, 0x18, 0, 0xff, 0xff];
   let crc = 0;
@@ -42,7 +42,7 @@ function flacFrame(): Buffer {
   }
   return Buffer.from([...head, crc, 0, 0, 0, 0, 0, 0]);
 }
-/** Header with rate 48,000, 8 channels, and a length that is not known. */
+/** FLAC header with rate 48,000, 8 channels and unknown length. */
 const flacHead = (): Buffer =>
   Buffer.concat([
     Buffer.from('fLaC\x80\0\0\x22', 'latin1'),
@@ -51,7 +51,7 @@ const flacHead = (): Buffer =>
     Buffer.alloc(20),
   ]);
 
-/** A page of an Ogg of whole packets. @param said - its granule position */
+/** A page of an Ogg of whole packets. @param said - granule position of the page */
 const oggPage = (packets: readonly Buffer[], said: number, flags = 0): Buffer =>
   Buffer.concat([
     ...[Buffer.from('OggS\0'), Buffer.from([flags]), u32(said), u32(said < 0 ? -1 : Math.floor(said / 2 ** 32))],

@@ -8,10 +8,10 @@ import { wavSize } from './wavSize';
 
 /** Maximum size of a decoded sound (bytes): 23 minutes of stereo. */
 const MOST = 2 ** 29;
-/** Browsers give samples as floats, of the rate that they were asked for or of their own. */
+/** Bytes of a decoded sample: browsers decode to 32-bit floats, at the requested rate or the file's own. */
 const BYTES = 4;
 
-/** Size of a sound by its data; null for damaged files and formats other than MP3, AAC, Ogg, WAV, M4A and FLAC. */
+/** Size of a sound by its data; null for a damaged file, or none of MP3, AAC, Ogg, WAV, M4A and FLAC. */
 export function soundSize(bytes: ArrayBuffer): SoundSize | null {
   const view = new DataView(bytes);
   if (view.byteLength < 16) return null;
@@ -19,7 +19,7 @@ export function soundSize(bytes: ArrayBuffer): SoundSize | null {
   if (tag(0) === 'RIFF' && tag(8) === 'WAVE') return wavSize(view);
   if (tag(0) === 'OggS') return oggSize(view);
   if (tag(4) === 'ftyp') return mp4Size(view);
-  // ID3 says its length in bytes of seven bits
+  // the length of an ID3 tag is stored as 7 bits per byte
   const isTagged = tag(0).startsWith('ID3');
   const from = isTagged ? 10 + [6, 7, 8, 9].reduce((sum, at) => sum * 128 + (view.getUint8(at) & 127), 0) : 0;
   if (from + 4 <= bytes.byteLength && tag(from) === 'fLaC') return flacSize(view, from);
@@ -27,10 +27,10 @@ export function soundSize(bytes: ArrayBuffer): SoundSize | null {
 }
 
 /**
- * Checks what a sound would take once it is decoded, before it is: browsers decode whatever it comes to.
- * @param rate - samples a second that it is decoded to
- * @returns bytes that it would take
- * @throws Error when it would be absurd memory, or when that cannot be told
+ * Checks the decoded size of a sound beforehand, since browsers decode sounds of any length.
+ * @param rate - sample rate of the decoded sound (Hz)
+ * @returns decoded size (bytes)
+ * @throws Error when the size is too great or unknown
  */
 export function checkSound(bytes: ArrayBuffer, rate: number): number {
   const size = soundSize(bytes);

@@ -10,11 +10,11 @@ function crc8(view: DataView, from: number, to: number): number {
   return crc;
 }
 
-/** Samples a channel of the frame that begins at a byte; 0 where none does. @see RFC 9639, 9.1 */
+/** Samples per channel of the frame at a byte offset; 0 when there is no frame. @see RFC 9639, 9.1 */
 export function flacFrame(view: DataView, at: number): number {
   if (at + 6 > view.byteLength || (view.getUint16(at) & 0xfffe) !== 0xfff8) return 0;
   const [sizeCode, rateCode] = [view.getUint8(at + 2) >> 4, view.getUint8(at + 2) & 15];
-  // the frame's number is coded as UTF-8: its first byte says how many follow
+  // the frame number is coded like UTF-8: the first byte gives the number of further bytes
   const first = view.getUint8(at + 4);
   const following = first < 0x80 ? 0 : Math.clz32(~(first << 24)) - 1;
   let end = at + 5 + Math.max(0, following);
@@ -28,14 +28,14 @@ export function flacFrame(view: DataView, at: number): number {
   return sizeCode === 7 ? view.getUint16(sizeAt) + 1 : 256 << (sizeCode - 8);
 }
 
-/** Channels and rate of a STREAMINFO. @param at - of its data */
+/** Channels and rate of a STREAMINFO. @param at - byte offset of its data */
 export function flacInfo(view: DataView, at: number): { channels: number; rate: number } | null {
   if (at + 18 > view.byteLength) return null;
   const bits = view.getUint32(at + 10);
   return { rate: Math.max(1, bits >>> 12), channels: ((bits >> 9) & 7) + 1 };
 }
 
-/** The size of a FLAC by all of its frames: how long its header says that it is, is not asked. @param from - byte of its 'fLaC' */
+/** Size of a FLAC by all its frames; the length in the header is ignored. @param from - byte offset of 'fLaC' */
 export function flacSize(view: DataView, from: number): SoundSize | null {
   const info = flacInfo(view, from + 8);
   if (!info) return null;

@@ -1,8 +1,8 @@
 import type { SoundSize } from './SoundSize';
 
-/** Boxes that hold others, on the way to the samples of a track, whole or in fragments. */
+/** Container boxes that lead to the samples of a track, in whole or fragmented files. */
 const HOLDERS = new Set(['moov', 'trak', 'mdia', 'minf', 'stbl', 'moof', 'traf']);
-/** Audio samples in one MP4 sample of AAC; with SBR twice as many, of twice the rate. */
+/** Audio samples per AAC sample of an MP4; with SBR twice as many, at twice the rate. */
 const SAMPLES = 1024;
 
 /**
@@ -15,7 +15,7 @@ export function mp4Size(view: DataView): SoundSize | null {
   let rate = 0;
   let isOther = false;
   const tag = (at: number): string => String.fromCharCode(...[0, 1, 2, 3].map((i) => view.getUint8(at + i)));
-  /** @param depth - boxes above this one; those that count lie seven deep at most */
+  /** @param depth - nesting depth of the box; relevant boxes are at most seven deep */
   const visit = (from: number, to: number, depth: number): void => {
     for (let at = from; at + 8 <= to;) {
       const short = view.getUint32(at);

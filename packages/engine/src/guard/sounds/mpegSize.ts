@@ -1,6 +1,6 @@
 import type { SoundSize } from './SoundSize';
 
-/** kbit/s by index: of MPEG 1 layers 1 to 3, of MPEG 2 layer 1, and its layers 2 and 3. */
+/** Bit rates (kbit/s) by index: MPEG 1 layers 1 to 3, MPEG 2 layer 1, MPEG 2 layers 2 and 3. */
 const RATES = [
   [0, 32, 64, 96, 128, 160, 192, 224, 256, 288, 320, 352, 384, 416, 448],
   [0, 32, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384],
@@ -40,7 +40,7 @@ function mpegFrame(view: DataView, at: number): Frame | null {
   };
 }
 
-/** A frame of AAC in ADTS; with SBR it is of twice the samples and the rate. @see ISO/IEC 13818-7, 6.2 */
+/** A frame of AAC in ADTS; with SBR, twice the samples at twice the rate. @see ISO/IEC 13818-7, 6.2 */
 function aacFrame(view: DataView, at: number): Frame | null {
   const rate = AAC_RATES[(view.getUint8(at + 2) >> 2) & 15];
   const length = ((view.getUint16(at + 3) & 0x3ff) << 3) | (view.getUint8(at + 5) >> 5);
@@ -48,7 +48,7 @@ function aacFrame(view: DataView, at: number): Frame | null {
   return rate && length >= 7 ? { length, samples: blocks * 1024, rate, channels: 2 } : null;
 }
 
-/** The size of an MP3 or of AAC in ADTS by all of their frames; bytes between them are passed over, as decoders do. */
+/** Size of an MP3, or of AAC in ADTS, by all its frames; bytes between frames are skipped, as in decoders. */
 export function mpegSize(view: DataView, from: number): SoundSize | null {
   let seconds = 0;
   let rate = 0;

@@ -3,8 +3,8 @@ import type { SoundSize } from './SoundSize';
 
 const RATE_OF_OPUS = 48_000;
 /**
- * Vorbis packets are short or long. Counted all as long ones they come to at most this many times the true samples;
- * divided by it, never to more.
+ * Divisor for Vorbis, whose packets are short or long: counting all as long gives at most 3 times the true samples, so
+ * the quotient never exceeds them.
  */
 const SHORT = 3;
 
@@ -14,7 +14,7 @@ interface Stream {
   readonly rate: number;
   /** Number of samples in the packet that begins at a byte offset. */
   samplesAt(at: number): number;
-  /** Number of samples up to the last page that was read. */
+  /** Number of samples up to the last page read. */
   samples: number;
   /** Greatest sample position in the headers of the stream's pages. */
   lastSample: number;
@@ -30,7 +30,7 @@ function opusSamples(view: DataView, at: number): number {
   return Math.min(120, milliseconds * count) * (RATE_OF_OPUS / 1000);
 }
 
-/** Stream by its first packet; null when it is no sound. */
+/** Makes the stream of a first packet; null when it is no sound. */
 function beginStream(view: DataView, at: number): Stream | null {
   const text = (from: number, length: number): string =>
     String.fromCharCode(
@@ -73,7 +73,7 @@ export function oggSize(view: DataView): SoundSize | null {
     const stream = begun ?? streams.get(serial);
     if (begun) streams.set(serial, begun);
     if (stream) {
-      // -1: no packet ends on this page, so it has no position
+      // -1: no packet ends on this page
       const lastSample = Number(view.getBigInt64(at + 6, true));
       stream.lastSample = Math.max(stream.lastSample, lastSample);
     }

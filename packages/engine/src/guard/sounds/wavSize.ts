@@ -1,11 +1,11 @@
 import type { SoundSize } from './SoundSize';
 
-/** Formats of whole samples: PCM, floats, A-law, µ-law, extensible. */
+/** Uncompressed formats: PCM, floats, A-law, µ-law, extensible. */
 const WHOLE = new Set([1, 3, 6, 7, 0xfffe]);
 /** Minimum bits of a sample in packed formats (ADPCM). */
 const PACKED = 2;
 
-/** The size of a WAV; what its header says beyond the end of the file is not counted. @see RIFF, WAVEFORMATEX */
+/** Size of a WAV; a data length beyond the end of the file is cut. @see RIFF, WAVEFORMATEX */
 export function wavSize(view: DataView): SoundSize | null {
   let channels = 0;
   let rate = 0;

@@ -32,7 +32,7 @@ function fail(problem: string, cause?: unknown): never {
 const damaged = (reason: string, cause?: unknown): never =>
   fail(`The file is cut short or damaged (${reason}): open another copy of it.`, cause);
 
-/** The list at the end of a ZIP. */
+/** Reads the central directory of a ZIP. */
 function readEntries(view: DataView<ArrayBuffer>): Entry[] {
   const size = view.byteLength;
   if (size < END_SIZE) damaged('its end is not there');
@@ -69,9 +69,9 @@ function readEntries(view: DataView<ArrayBuffer>): Entry[] {
 }
 
 /**
- * Reads the files of a ZIP, deflated or stored. What they come to is checked, and asked about, before any is unpacked,
- * and counted while it is; what comes out is checked against its checksum.
- * @throws FileError when it is damaged or beyond `unpackLimits`, AbortError when the answer was no
+ * Reads the files of a ZIP, deflated or stored. The total size is checked, and confirmed by the user, before anything
+ * is unpacked, and checked again during unpacking; the result is checked against the CRC.
+ * @throws FileError when the ZIP is damaged or beyond `unpackLimits`, AbortError when the user refused
  * @see PKWARE APPNOTE.TXT
  */
 export async function readZip(
@@ -92,7 +92,7 @@ export async function readZip(
     if (files.has(entry.name)) damaged('two files have one name');
     files.set(entry.name, bytes);
   }
-  // if files share bytes, their sizes add up to more than the ZIP has
+  // if files overlap, their sizes add up to more than the ZIP has
   if (packed > bytes.length) damaged('its files overlap');
   await checkUnpacking({ packed: bytes.length, unpacked }, mayUnpack);
   for (const { name, method, checksum, at, packed: length, unpacked: exact } of entries) {

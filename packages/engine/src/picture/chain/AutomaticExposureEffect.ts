@@ -1,4 +1,4 @@
-// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+// an optional peer dependency: when it is absent, bundlers fail on named imports, but not on a namespace
 import * as postprocessing from 'postprocessing';
 import {
   type Camera,
@@ -17,7 +17,7 @@ import {
 import type { Scene } from '../../core/Scene';
 import type { AutomaticExposure } from '../PictureLook';
 
-/** Width and height of the picture that is measured, and its smallest mipmap level. */
+/** Width and height of the texture that is measured, and its smallest mipmap level. */
 const SIZE = 256;
 const LAST_LEVEL = 8;
 
@@ -72,8 +72,8 @@ const makePoint = (): WebGLRenderTarget =>
   });
 
 /**
- * Exposes the picture by its mean luminance (the geometric mean), within limits; all on the GPU. While the scene plays the
- * exposure adapts in time, by the scene's clock; else it is at once that of the picture.
+ * Exposes the picture by its geometric mean luminance, within limits, entirely on the GPU. While the scene plays,
+ * exposure adapts over scene time; otherwise at once.
  */
 export class AutomaticExposureEffect extends postprocessing.Effect {
   private readonly limits = new Vector2();
@@ -104,7 +104,7 @@ export class AutomaticExposureEffect extends postprocessing.Effect {
     this.adapt = new ScreenPass(adaptCode, { measured, before: this.previous, share: this.share });
   }
 
-  /** Takes limits, and how far the exposure adapts in the next frame. */
+  /** Sets the limits, and the share of the adaptation in the next frame. */
   follow({ minEV, maxEV, time }: AutomaticExposure, scene: Scene, camera: Camera): void {
     this.limits.set(minEV, Math.max(minEV, maxEV));
     const passed = scene.time - this.time;

@@ -1,4 +1,4 @@
-// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+// an optional peer dependency: when it is absent, bundlers fail on named imports, but not on a namespace
 import * as postprocessing from 'postprocessing';
 import {
   ACESFilmicToneMapping,
@@ -47,9 +47,9 @@ const TONES = 32;
 const EXPOSURE = 64;
 
 /**
- * Makes a finished picture of linear light: depth of field, bloom, white balance, automatic exposure, tone mapping, contrast, saturation, a
- * table of colours, vignette; those that are on, in this order, by pmndrs' postprocessing. Its programs are made anew
- * when one is switched, not when a number changes.
+ * Post-processes a picture of linear light with pmndrs' postprocessing: depth of field, bloom, white balance, automatic
+ * exposure, tone mapping, contrast, saturation, colour table, vignette; the enabled ones in this order. Switching one
+ * compiles new programs, changing a number does not.
  */
 export class PictureChain {
   /** Whether post-processing besides tone mapping is drawn. */
@@ -76,7 +76,7 @@ export class PictureChain {
   private readonly vignette = new postprocessing.VignetteEffect();
   private readonly depth = new DepthEffect();
 
-  /** Whether a device draws to colours of floats. */
+  /** Whether a device can render to float textures. */
   static isPossible({ extensions }: WebGLRenderer): boolean {
     return extensions.has('EXT_color_buffer_float') || extensions.has('EXT_color_buffer_half_float');
   }
@@ -98,7 +98,7 @@ export class PictureChain {
    * Render target for the scene: linear light, with a depth texture.
    * @param width - pixels
    * @param height - pixels
-   * @param samples - of a pixel; 0 for one
+   * @param samples - samples per pixel; 0 for no multisampling
    */
   begin(width: number, height: number, samples: number): WebGLRenderTarget {
     if (this.target !== null && this.target.samples !== samples) this.freeTarget();
@@ -123,8 +123,8 @@ export class PictureChain {
   }
 
   /**
-   * Makes the picture of what was drawn to the target since `begin`.
-   * @param to - what it is drawn to, bound already; null for the canvas. It gets the depth of the scene too
+   * Post-processes the target of `begin`.
+   * @param to - target, already bound; null for the canvas. Receives the scene's depth too
    */
   draw(scene: Scene, look: PictureLook, camera: Camera, to: WebGLRenderTarget | null): void {
     const { webgl } = this;
@@ -223,7 +223,7 @@ export class PictureChain {
     this.camera = null;
   }
 
-  /** Tells the passes what they look through; they make programs anew, so only when it is another. */
+  /** Sets the camera of the passes, only on a change, since that recompiles their programs. */
   private setCamera(camera: Camera): void {
     const { near, far } = camera as PerspectiveCamera;
     if (camera === this.camera && near === this.near && far === this.far) return;
@@ -252,7 +252,7 @@ export class PictureChain {
     return true;
   }
 
-  /** The effects stay: they are taken out first, so that they are not disposed with their pass. */
+  /** Disposes of the passes but not of their effects, which are detached first. */
   private freePasses(): void {
     for (const pass of this.passes) {
       (pass as unknown as { setEffects(effects: postprocessing.Effect[]): void }).setEffects([]);

@@ -25,7 +25,7 @@ test('tone mappings keep black, grey and order, end at white, and follow the exp
     expect(mapped(name, 0.1, 2).r, name).toBeCloseTo(mapped(name, 0.2).r, 6);
   }
   expect(mapped('none', 3, 2).r).toBe(3);
-  // as in the sources of each: see three's tonemapping_pars_fragment
+  // values by the formulas in three's tonemapping_pars_fragment
   expect(mapped('reinhard', 1).r).toBeCloseTo(0.5, 6);
   expect(mapped('linear', 0.3).r).toBeCloseTo(0.3, 6);
   expect(mapped('aces-filmic', 0.6).r).toBeCloseTo(0.6, 1);
@@ -41,7 +41,7 @@ test('white balance leaves white as it is at 0, and goes warm and cool', () => {
   expect(of(0, 0.5).y).toBeLessThan(of(0, -0.5).y);
 });
 
-/** An image of the slices of a table that leaves colours as they are. */
+/** An image of the slices of an identity table. */
 function identity(size: number, columns: number): DataTexture {
   const rows = size / columns;
   const [width, height] = [size * columns, size * rows];

@@ -8,7 +8,7 @@ import {
   UnsignedByteType,
 } from 'three';
 
-/** RGBA of an image, 8 bits a channel, first row first. */
+/** RGBA pixels of an image, 8 bits per channel, top row first. */
 interface Pixels {
   readonly data: ArrayLike<number>;
   readonly width: number;
@@ -23,7 +23,7 @@ function pixelsOf(texture: Texture): Pixels | null {
   canvas.width = image.width;
   canvas.height = image.height;
   const context = canvas.getContext('2d', { willReadFrequently: true })!;
-  // images of the library are upside down: their first row is the lowest
+  // images of the library are stored bottom row first
   if (!texture.flipY) {
     context.translate(0, image.height);
     context.scale(1, -1);
@@ -32,19 +32,20 @@ function pixelsOf(texture: Texture): Pixels | null {
   return context.getImageData(0, 0, image.width, image.height);
 }
 
-/** The slices of a table in an image: how many in a row, and their size; null for an image that is none. */
+/** Size of a table's slices in an image, and how many are in a row; null for an image that is no table. */
 function layoutOf(width: number, height: number): { size: number; columns: number } | null {
   if (width === height * height) return { size: height, columns: height };
   if (height === width * width) return { size: width, columns: 1 };
-  // a square of slices, such as 8 by 8 of 64
+  // slices in a square, such as 8 × 8 slices of 64 × 64
   const size = Math.round((width * height) ** (1 / 3));
   if (size ** 3 !== width * height || width % size !== 0) return null;
   return { size, columns: width / size };
 }
 
 /**
- * Makes a table of colours of an image: slices of blue in a row, in a column, or in a square; red to the right, green down.
- * @returns null where the image is none
+ * Makes a colour lookup table of an image: slices of blue in a row, in a column, or in a square; red to the right,
+ * green down.
+ * @returns null for an image that is no table
  */
 export function makeLookupTable(texture: Texture): Data3DTexture | null {
   const pixels = pixelsOf(texture);

@@ -1,4 +1,4 @@
-// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+// an optional peer dependency: when it is absent, bundlers fail on named imports, but not on a namespace
 import * as postprocessing from 'postprocessing';
 import { Matrix3, type Texture, Uniform } from 'three';
 

@@ -5,8 +5,8 @@ const background = new Color();
 const fog = new Color();
 
 /**
- * Tone maps what three does not when it draws to the canvas, the colours of background and fog, for one frame: they are as in
- * a picture that is tone mapped as a whole.
+ * Tone maps background and fog colours for one frame, which three does not when it draws to the canvas, so that they
+ * match a picture tone mapped as a whole.
  */
 export const surroundings = {
   toneMap(scene: Scene, toneMapping: ToneMapping, exposure: number): void {

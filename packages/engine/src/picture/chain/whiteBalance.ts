@@ -11,11 +11,11 @@ const fromCones = new Matrix3().set(
 const scale = new Matrix3();
 
 /**
- * The matrix that makes linear colours warmer or cooler, as if the light had been another: von Kries in cone responses,
- * along the daylight locus.
+ * Matrix that makes linear colours warmer or cooler, as under another illuminant: von Kries in cone responses, along
+ * the daylight locus.
  * @param temperature - from -1, cool, to 1, warm
  * @param tint - from -1, green, to 1, magenta
- * @param matrix - is written to
+ * @param matrix - receives the result
  * @see Fairchild 2013, Color Appearance Models, 3rd edition, chapter 9
  */
 export function whiteBalance(temperature: number, tint: number, matrix: Matrix3): Matrix3 {

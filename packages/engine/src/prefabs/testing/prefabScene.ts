@@ -17,7 +17,7 @@ export class Follower extends component({ target: object(null, { help: 'What it 
 }
 
 export const registry = new ComponentRegistry([...builtinComponents.types.values(), Follower]);
-/** The scene of the test that runs; `newScene` puts another in its place. */
+/** The scene of the present test; `newScene` replaces it. */
 export let scene: Scene;
 
 export function newScene(known: ComponentRegistry = registry): void {
@@ -29,7 +29,7 @@ export const run = (plan: PrefabPlan | readonly PrefabEdit[]): void => {
   ('prefabs' in plan ? plan.edits : plan).forEach(applyPrefabEdit);
 };
 
-/** Lamp > Bulb (a light); the prefab of it, whose first instance is the lamp itself. */
+/** A lamp that contains a bulb (a light); it is the first instance of its prefab. */
 export function lampPrefab(): { lamp: GameObject; prefab: Prefab } {
   const lamp = new GameObject('Lamp');
   lamp.transform.position = [1, 0, 0];

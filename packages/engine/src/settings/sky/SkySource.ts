@@ -10,7 +10,7 @@ const late = new LateCode(
   'The code of skies could not be fetched: see that the network is there, and choose one again.',
 );
 
-/** The sky that a scene's settings ask for, made when they change. */
+/** The sky of a scene's settings, repainted when they change. */
 export class SkySource {
   /**
    * Resolves when the sky requested last is painted; rejects when its late code could not be fetched. Null before the
@@ -20,12 +20,12 @@ export class SkySource {
   private made: Sky | null = null;
   private key = '';
 
-  /** @param came - called when late code has been loaded, so that the sky can be made */
+  /** @param came - called once the late code is loaded, when the sky can be painted */
   constructor(private readonly came: () => void) {}
 
   /**
-   * Sky of a day, else the one that the settings ask for; null for none, and until its late code is loaded. A sky of a day
-   * that has changed is painted anew.
+   * Sky of a day if given, else of the settings; null for none, and until its late code is loaded. A changed day is
+   * repainted.
    */
   of(settings: SkySettings, day: DaySky | null): Sky | null {
     const key = day ? keyOfDay(day) : keyOf(settings);
@@ -52,8 +52,8 @@ export class SkySource {
 const stepsOf = (angle: number, degrees: number): number => Math.round((angle * 180) / Math.PI / degrees);
 
 /**
- * Steps in which a sky of a day is painted anew: a quarter of a degree of the sun; at night a degree of the moon, since stars
- * take longer to paint.
+ * Key of a day, rounded so that its sky is repainted for each quarter of a degree of the sun; at night for each degree
+ * of the moon, since stars take longer to paint.
  */
 function keyOfDay({ sun, moon, lit }: DaySky): string {
   if (sun.elevation > NIGHT) return ['day', stepsOf(sun.azimuth, 0.25), stepsOf(sun.elevation, 0.25)].join(' ');

@@ -45,7 +45,7 @@ test('the light of a sky on level ground is the integral of its picture', () => 
   });
   const { data, width, height } = sky.texture.image as { data: Uint16Array; width: number; height: number };
   expect([width, height, data.length]).toEqual([512, 256, 512 * 256 * 4]);
-  // an evenly bright sky of luminance L gives π L
+  // a sky of uniform luminance L gives the irradiance π L
   expect(sky.irradiance! / Math.PI).toBeGreaterThan(0.02);
   expect(sky.irradiance! / Math.PI).toBeLessThan(0.3);
 });

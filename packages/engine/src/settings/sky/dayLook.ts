@@ -41,7 +41,7 @@ function coloursAt(elevation: number): Colours {
   };
 }
 
-/** The sun as it stands; its glow fades after it has set. */
+/** The sun's disc and glow; the glow fades after sunset. */
 function sunDisc(sun: SkyDirection): SkyDisc {
   const degrees = sun.elevation / RADIANS;
   const [low, high] = [sunset.disc!, day.disc!];
@@ -56,7 +56,7 @@ function sunDisc(sun: SkyDirection): SkyDisc {
   };
 }
 
-/** Look of a sky without clouds, with the sun or, once that has set, the moon. */
+/** Look of a cloudless sky, with the sun or, after sunset, the moon. */
 export function dayLook({ sun, moon, lit }: DaySky): SkyLook {
   const degrees = sun.elevation / RADIANS;
   const isNight = sun.elevation <= NIGHT;

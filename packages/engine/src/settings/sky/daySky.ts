@@ -4,18 +4,18 @@ export interface SkyDirection {
   readonly elevation: number;
 }
 
-/** Sun and moon of a sky without clouds. */
+/** Sun and moon in a cloudless sky. */
 export interface DaySky {
   readonly sun: SkyDirection;
   readonly moon: SkyDirection;
-  /** Part of the moon's disc that is lit. */
+  /** Lit part of the moon's disc, 0 to 1. */
   readonly lit: number;
-  /** Illuminance of level ground by the sky (lx), without sun and moon; null leaves the brightness that suits a screen. */
+  /** Illuminance of level ground by the sky (lx), without sun and moon; null for a brightness that suits a screen. */
   readonly illuminance: number | null;
 }
 
-/** Elevation of the sun (rad) below which its glow is gone, and the moon takes its place in the sky. */
+/** Elevation of the sun (rad) below which its glow has faded, and the moon is drawn instead. */
 export const NIGHT = (-8 * Math.PI) / 180;
 
-/** Elevation (rad) from which the moon is seen. */
+/** Elevation (rad) above which the moon is visible. */
 export const MOONRISE = -0.02;

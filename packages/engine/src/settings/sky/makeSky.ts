@@ -14,13 +14,13 @@ import type { DaySky } from './daySky';
 import { paintSky } from './paintSky';
 import { type SkyLook, skyLooks } from './skyLooks';
 
-/** A sky as three draws it, and lights by. */
+/** A sky as three draws it and lights a scene with it. */
 export interface Sky {
-  /** Equirectangular, linear radiance. */
+  /** Equirectangular image, linear radiance. */
   readonly texture: DataTexture;
   /** Mean radiance at the horizon. */
   readonly horizon: Vector3Tuple;
-  /** Irradiance of level ground: the integral of radiance and cosine; only of skies of a day. */
+  /** Irradiance of level ground: the integral of radiance times cosine; only for a day's sky. */
   readonly irradiance?: number;
 }
 
@@ -31,10 +31,10 @@ export interface SkyGradient {
   readonly ground: Vector3Tuple;
 }
 
-/** Columns of the picture of a preset or a night, whose discs and stars are small, and of a gradient. */
+/** Widths (pixels) of the images of a preset or a night, whose discs and stars are small, and of a gradient. */
 const PRESET_WIDTH = 1024;
 const GRADIENT_WIDTH = 256;
-/** Columns of a sky of a day without stars, which is painted while the sun moves: about 10 ms. */
+/** Width (pixels) of a day's sky without stars, which is repainted while the sun moves: about 10 ms. */
 const DAY_WIDTH = 512;
 
 /** Pixels of a sky, in the form that three uploads. */
@@ -70,12 +70,12 @@ function skyOf({ halves, width, horizon }: Painted): Sky {
   return { texture, horizon };
 }
 
-/** Mean of the first rows above the horizon. */
+/** Mean radiance of the first row above the horizon. */
 function horizonOf(pixels: Float32Array, width: number, height: number): Vector3Tuple {
   const first = (height / 2) * width * 3;
   const count = width * 3;
   const sum = [0, 0, 0];
-  // limited, since the sun in the sky must not make the fog's colour shine
+  // limited, so that a sun near the horizon does not make the fog glow
   for (let at = first; at < first + count; at++) sum[at % 3] += Math.min(1.5, pixels[at]);
   return [sum[0] / width, sum[1] / width, sum[2] / width];
 }
@@ -89,7 +89,7 @@ export interface SunPlace {
   readonly elevation: number;
 }
 
-/** The preset that was painted last with its sun elsewhere. */
+/** The last preset that was painted with a moved sun. */
 let moved: { readonly key: string; readonly painted: Painted } | null = null;
 
 function paintMoved(preset: SkyPreset, sun: SunPlace): Painted {
@@ -101,7 +101,7 @@ function paintMoved(preset: SkyPreset, sun: SunPlace): Painted {
   return moved.painted;
 }
 
-/** Makes one of the skies. @param sun - where its sun is put; null leaves it where the preset has it */
+/** Makes the sky of a preset. @param sun - direction of its sun; null for the preset's own */
 export function makePresetSky(preset: SkyPreset, sun: SunPlace | null = null): Sky {
   if (sun && skyLooks[preset].disc) return skyOf(paintMoved(preset, sun));
   let one = painted.get(preset);
@@ -109,7 +109,7 @@ export function makePresetSky(preset: SkyPreset, sun: SunPlace | null = null): S
   return skyOf(one);
 }
 
-/** Light that falls on level ground from the upper half of a sky: luminance times cosine, over the half sphere. */
+/** Irradiance of level ground by the upper half of a sky: the integral of luminance times cosine. */
 function irradianceOf(pixels: Float32Array, width: number): number {
   const height = width / 2;
   const step = Math.PI / height;
@@ -124,7 +124,7 @@ function irradianceOf(pixels: Float32Array, width: number): number {
   return sum * step * step;
 }
 
-/** Makes the sky of a day or a night, without clouds. */
+/** Makes a day's or a night's sky, without clouds. */
 export function makeDaySky(day: DaySky): Sky {
   const look = dayLook(day);
   const width = look.stars > 0 ? PRESET_WIDTH : DAY_WIDTH;
@@ -137,9 +137,9 @@ export const makeGradientSky = (colours: SkyGradient): Sky =>
   skyOf(paint({ ...colours, disc: null, clouds: null, stars: 0, boxes: [] }, GRADIENT_WIDTH));
 
 /**
- * The half float of a single one that is not negative, rounded towards 0 as three's `DataUtils.toHalfFloat` does, at a
- * fraction of its cost: a picture has a million and a half.
- * @param bits - those of the single one; what is too large, and NaN, gives the largest half float, 65504
+ * Converts a non-negative 32-bit float to a half float, rounded towards 0, as three's `DataUtils.toHalfFloat` at a
+ * fraction of the cost: an image has 1.5 million values.
+ * @param bits - bits of the float; too large values and NaN give the largest half float, 65504
  */
 export function halfOf(bits: number): number {
   const exponent = bits >>> 23;

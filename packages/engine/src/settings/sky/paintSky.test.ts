@@ -7,7 +7,7 @@ import { skyLooks } from './skyLooks';
 const WIDTH = 256;
 const HEIGHT = 128;
 
-/** Mean luminance of the rows from one height to another: 0 is straight below, 1 straight above. */
+/** Mean luminance of the rows between two heights: 0 is the nadir, 1 the zenith. */
 function meanOf(pixels: Float32Array, from: number, to: number): number {
   const first = Math.floor(from * HEIGHT) * WIDTH * 3;
   const last = Math.ceil(to * HEIGHT) * WIDTH * 3;
@@ -22,7 +22,7 @@ test.each(skyPresets)('%s is light that can be drawn, the same each time, and wh
   expect(pixels.every((value) => value >= 0 && value < 100)).toBe(true);
   const again = paintSky(skyLooks[preset], WIDTH, HEIGHT);
   expect(again.every((value, i) => value === pixels[i])).toBe(true);
-  // at the seam neighbours differ no more than others do, those at the sun left out
+  // neighbours across the seam differ no more than others, apart from those at the sun
   let [atSeam, elsewhere] = [0, 0];
   for (let row = 0; row < HEIGHT; row++) {
     for (let column = 0; column < WIDTH; column++) {

@@ -12,13 +12,10 @@ function directionOf({ elevation, azimuth }: SkyDisc | SkyBox): [number, number,
   return [Math.cos(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.sin(azimuth) * Math.cos(elevation)];
 }
 
-/**
- * Cosine of the angle from the sun within which its glow is seen: at the edge it is below 1e-12 of what it is at the
- * sun.
- */
+/** Cosine of the angle from the sun beyond which its glow is not computed: there it is below 1e-12 of its maximum. */
 const GLOWING = 0.88;
 
-/** Share of a cloud in a direction above the horizon, and how lit it is: written to `cloud`. */
+/** Cloud in a direction above the horizon: cover and lit share, both 0 to 1. */
 const cloud = { share: 0, lit: 0 };
 
 function lookAtClouds({ cover }: SkyClouds, sun: readonly number[] | null, x: number, y: number, z: number): void {
@@ -29,13 +26,13 @@ function lookAtClouds({ cover }: SkyClouds, sun: readonly number[] | null, x: nu
   const edge = 0.78 - 0.56 * cover;
   cloud.share = smooth(edge, edge + 0.2, density) * smooth(0.01, 0.2, y);
   if (cloud.share === 0) return;
-  // thinner towards the sun: that side is lit
+  // sampled towards the sun: where clouds are thinner there, this side is lit
   const toSun = sun === null ? 0 : 0.22;
   const behind = cloudNoise(px + 40 + toSun * (sun?.[0] ?? 0), py + 40 + toSun * (sun?.[2] ?? 0), 4);
   cloud.lit = sun === null ? 1 - smooth(0.35, 0.7, density) : Math.min(1, Math.max(0, 0.55 + 3.2 * (density - behind)));
 }
 
-/** Adds stars of random places, sizes and tints above the horizon; the same ones in every run. */
+/** Adds stars above the horizon with random positions, sizes and tints, the same in every run. */
 function addStars(count: number, pixels: Float32Array, width: number, height: number): void {
   const random = createRandom(11);
   for (let i = 0; i < count; i++) {
@@ -91,7 +88,7 @@ export function paintSky(look: SkyLook, width: number, height: number): Float32A
       if (disc && sun && open > 0) {
         const near = Math.max(0, x * sun[0] + y * sun[1] + z * sun[2]);
         const haze = near ** 6 * low * open;
-        // farther away it is less than a half float can tell from nothing
+        // farther away the glow is too small for a half float
         const glow = near > GLOWING ? near ** 220 * open : 0;
         r += disc.haze[0] * haze + disc.glow[0] * glow;
         g += disc.haze[1] * haze + disc.glow[1] * glow;
@@ -126,10 +123,10 @@ export function paintSky(look: SkyLook, width: number, height: number): Float32A
   return pixels;
 }
 
-/** 1 within a box, 0 away from it, soft at its edges. */
+/** Coverage of a direction by a box: 1 inside, 0 outside, smooth at the edges. */
 function boxShare(box: SkyBox, to: readonly number[], x: number, y: number, z: number): number {
   const { halfWidth, halfHeight, azimuth } = box;
-  // axes of the box: a level one, and the one normal to the others
+  // axes of the box: one horizontal, and one perpendicular to both others
   const rightX = -Math.sin(azimuth);
   const rightZ = Math.cos(azimuth);
   const across = Math.abs(x * rightX + z * rightZ);

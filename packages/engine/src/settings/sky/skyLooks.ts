@@ -10,14 +10,14 @@ export interface SkyDisc {
   readonly radius: number;
   /** Radiance, linear RGB. */
   readonly colour: Vector3Tuple;
-  /** Radiance round the disc, near it; and that of the wide glow. */
+  /** Radiance of the glow close to the disc, and of the wide glow. */
   readonly glow: Vector3Tuple;
   readonly haze: Vector3Tuple;
 }
 
-/** Clouds on a plane above. */
+/** Clouds on a horizontal plane. */
 export interface SkyClouds {
-  /** Share of the sky that they cover, about. */
+  /** Cloud cover, 0 to 1 (approximate). */
   readonly cover: number;
   readonly light: Vector3Tuple;
   readonly dark: Vector3Tuple;
@@ -32,20 +32,20 @@ export interface SkyBox {
   readonly radiance: number;
 }
 
-/** Colours of a sky: linear radiance; 1 is a white surface in full light. */
+/** Colours of a sky: linear radiance, where 1 is a white surface in full light. */
 export interface SkyLook {
   readonly top: Vector3Tuple;
   readonly horizon: Vector3Tuple;
   readonly ground: Vector3Tuple;
   readonly disc: SkyDisc | null;
   readonly clouds: SkyClouds | null;
-  /** Stars in the whole sphere. */
+  /** Number of stars on the whole sphere. */
   readonly stars: number;
   readonly boxes: readonly SkyBox[];
 }
 
 const degrees = Math.PI / 180;
-/** Ahead and to the left of a camera that looks along -z. */
+/** Azimuth ahead and to the left of a camera that faces -z. */
 const AHEAD = -115 * degrees;
 
 export const skyLooks: Readonly<Record<SkyPreset, SkyLook>> = {

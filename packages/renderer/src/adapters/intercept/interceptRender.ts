@@ -2,22 +2,22 @@ import type { Camera, Object3D, WebGLRenderer } from 'three';
 
 type Render = WebGLRenderer['render'];
 
-/** Replaces a renderer's `render`. @param next - draws as without this replacement */
+/** Replacement of a renderer's `render`. @param next - the `render` that it replaces */
 export type Interceptor = (scene: Object3D, camera: Camera, next: Render) => void;
 
 /** A replacement of a renderer's `render`, as `interceptRender` returns it. */
 export interface Interception {
   /** The renderer's own `render`, without any replacement. */
   readonly stock: Render;
-  /** Removes the replacement; after the last one the renderer has its own `render` again. */
+  /** Removes the replacement; once all are removed, the renderer has its own `render` again. */
   remove(): void;
 }
 
 const chains = new WeakMap<WebGLRenderer, RenderChain>();
 
 /**
- * Replaces `render` of one renderer by a function; the function set last runs first. Calls to `render` from inside of
- * it, by Farol or by callbacks of the host, go to three.
+ * Replaces `render` of one renderer by a function; the function added last runs first. Nested calls to `render`, by Farol or
+ * callbacks of the host, go to three.
  */
 export function interceptRender(webgl: WebGLRenderer, interceptor: Interceptor): Interception {
   let chain = chains.get(webgl);
@@ -30,7 +30,7 @@ class RenderChain {
   private readonly original: Render;
   private readonly hooked: Render = (scene, camera) => this.render(scene, camera);
   private readonly interceptors: Interceptor[] = [];
-  /** Functions that draw when each of `interceptors` passes a call on; the last entry draws first. */
+  /** `next` functions of the `interceptors`; the last entry runs first. */
   private readonly draws: Render[];
   private depth = 0;
 
@@ -40,9 +40,7 @@ class RenderChain {
     webgl.render = this.hooked;
   }
 
-  /**
-   * Whether calls of `render` arrive here: directly, or (assumed) through a wrapper that another tool has put round.
-   */
+  /** Whether calls of `render` arrive here: directly, or (assumed) through another tool's wrapper. */
   get isInPlace(): boolean {
     return this.webgl.render === this.hooked || this.interceptors.length > 0;
   }
@@ -57,7 +55,7 @@ class RenderChain {
         if (index < 0) return;
         this.interceptors.splice(index, 1);
         this.link();
-        // if another tool has wrapped `render` since, this stays and only passes calls on
+        // if another tool has wrapped `render` since, this stays in place and only forwards calls
         if (this.interceptors.length === 0 && this.webgl.render === this.hooked) this.webgl.render = this.original;
       },
     };

@@ -3,9 +3,8 @@ import type { Camera, Material, Scene, WebGLRenderer, WebGLRenderTarget } from '
 import type { FarolRenderer } from '../../renderer/FarolRenderer';
 
 /**
- * Draws a scene by Farol in the EffectComposer of pmndrs' postprocessing: put it where `RenderPass` stood. Everything of
- * that pass works as before: clear pass, selection, background and shadow switches, override material; and depth is left
- * for the passes that read it.
+ * Draws a scene by Farol in the EffectComposer of pmndrs' postprocessing, in place of `RenderPass`. All features of that
+ * pass still work: clear pass, selection, background and shadow switches, override material, and depth for later passes.
  *
  * @example
  * const composer = new EffectComposer(webgl, { frameBufferType: HalfFloatType });
@@ -15,12 +14,12 @@ import type { FarolRenderer } from '../../renderer/FarolRenderer';
  * @see https://pmndrs.github.io/postprocessing/public/docs/class/src/passes/RenderPass.js~RenderPass.html
  */
 export class FarolPostPass extends RenderPass {
-  /** The WebGLRenderer in all but `render`, for RenderPass to draw with. */
+  /** Stand-in for the WebGLRenderer with Farol's `render`, which RenderPass draws with. */
   private readonly standIn: WebGLRenderer;
 
   /**
-   * @param farol - renderer that draws the scene; stays the host's to dispose
-   * @param overrideMaterial - drawn with in place of all materials; default none
+   * @param farol - renderer that draws the scene; the host disposes it
+   * @param overrideMaterial - material in place of all materials; default none
    */
   constructor(
     readonly farol: FarolRenderer,

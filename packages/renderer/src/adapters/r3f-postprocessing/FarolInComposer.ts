@@ -3,9 +3,8 @@ import { use } from 'react';
 import { type FarolProps, useFarolSettings } from '../r3f/useFarolSettings';
 
 /**
- * Inside the `<EffectComposer>` of @react-three/postprocessing, has the scene of that composer drawn by Farol, in the place
- * where it is drawn anyway: nothing is drawn twice. Where `<Farol>` is mounted it is not needed; its props then count for
- * the composer's scene.
+ * Inside the `<EffectComposer>` of @react-three/postprocessing, Farol draws that composer's scene in place of three;
+ * nothing is drawn twice. Not needed inside of `<Farol>`; its props then apply to the composer's scene.
  *
  * @example
  * <EffectComposer>

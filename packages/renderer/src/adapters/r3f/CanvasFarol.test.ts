@@ -71,7 +71,6 @@ it('has each setting of its component, and the default of each that it leaves ou
     ...{ shadowAtlasSize: 1024, shadowCascades: 3, areaLightThreshold: 0, inferredScale: 1, heatMapMaximum: 8 },
     budget: { frame: 8 },
     learning: true,
-    multiview: true,
   };
   canvas.mount(owner, settings(all));
   expect(farol).toMatchObject(all);

@@ -10,15 +10,15 @@ export interface FarolSettings {
   readonly options: FarolOptions;
   /** Scene that the settings apply to; null for every scene that the canvas draws. */
   readonly scene: Object3D | null;
-  /** Asks react-three-fiber to render a frame. */
+  /** Makes react-three-fiber render a frame. */
   readonly invalidate: () => void;
 }
 
 const canvases = new WeakMap<WebGLRenderer, CanvasFarol>();
 
 /**
- * The one FarolRenderer of a canvas, there as long as a mounted component asks for it. It stands in for `render`, `compile`
- * and `compileAsync` of the WebGLRenderer, so that whatever R3F or a component draws by these is drawn by Farol.
+ * The one FarolRenderer of a canvas, kept while a component is mounted. Replaces `render`, `compile` and `compileAsync` of the
+ * WebGLRenderer, so that Farol draws whatever R3F or a component draws by these.
  */
 export class CanvasFarol {
   farol: FarolRenderer | null = null;
@@ -37,7 +37,7 @@ export class CanvasFarol {
 
   private constructor(private readonly webgl: WebGLRenderer) {}
 
-  /** Calls back when `farol` changes. @returns a function that ends that */
+  /** Adds a listener to changes of `farol`. @returns function that removes it */
   readonly subscribe = (listener: () => void): (() => void) => {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -48,7 +48,7 @@ export class CanvasFarol {
   /**
    * Applies a component's settings from the next draw on.
    * @param owner - identifies the component
-   * @throws Error as FarolRenderer does
+   * @throws Error as FarolRenderer and `setOptions` do
    */
   mount(owner: object, settings: FarolSettings): void {
     if (this.mounted.get(owner) === settings && this.farol !== null) return;
@@ -64,7 +64,7 @@ export class CanvasFarol {
     settings.invalidate();
   }
 
-  /** Stops following a component's settings. The FarolRenderer goes with the last one, unless another is mounted at once. */
+  /** Removes a component's settings. The FarolRenderer is disposed with the last one, unless another is mounted at once. */
   unmount(owner: object): void {
     const settings = this.mounted.get(owner);
     if (settings === undefined) return;
@@ -82,7 +82,10 @@ export class CanvasFarol {
     this.tell();
   }
 
-  /** Frees what nobody has asked for again: React unmounts and mounts in one go under StrictMode, and when code is replaced. */
+  /**
+   * Disposes effects and FarolRenderer that no component uses any more. Deferred, since StrictMode and hot reload unmount and
+   * mount at once.
+   */
   private settle(): void {
     const { farol, released, mounted } = this;
     this.released = [];
@@ -102,13 +105,13 @@ export class CanvasFarol {
   private apply(settings: FarolSettings): void {
     if (this.applied === settings) return;
     const { options } = settings;
-    // one atlas serves all scenes of the canvas
+    // all scenes of the canvas share one atlas
     const [{ options: first }] = this.mounted.values();
     setOptions(this.farol!, { ...options, shadowAtlasSize: first.shadowAtlasSize });
     this.applied = settings;
   }
 
-  /** Settings by which Farol draws a scene; null if three draws it. */
+  /** Settings for a scene that Farol draws; null if three draws it. */
   private settingsFor(scene: Object3D, camera: Camera): FarolSettings | null {
     let found: FarolSettings | null = null;
     if (this.farol === null) return null;
@@ -132,7 +135,7 @@ export class CanvasFarol {
     });
     const { compile, compileAsync } = webgl;
     const prepare = (scene: Object3D, camera: Camera, target: Object3D | null): boolean => {
-      // by drawing, which a session does in its own frames
+      // programs are compiled by drawing; in XR sessions their own frames do so
       const isOwn = (target === null || target === scene) && !webgl.xr.isPresenting;
       const settings = isOwn ? this.settingsFor(scene, camera) : null;
       if (settings !== null) this.apply(settings);

@@ -3,9 +3,9 @@ import type { Scene } from 'three';
 import { type FarolProps, useFarolSettings } from './useFarolSettings';
 
 /**
- * While it is mounted, what a React Three Fiber canvas draws by `gl.render` is drawn by Farol: R3F's own frame, and what
- * components draw (views, portals, render textures, mirrors, composers). Inside a portal, such as drei's `<View>`, it is
- * for the scene of that portal alone. One FarolRenderer serves a canvas.
+ * While mounted, Farol draws whatever a React Three Fiber canvas draws by `gl.render`: R3F's own frames, and those of
+ * components (views, portals, render textures, mirrors, composers). Inside a portal, such as drei's `<View>`, only the
+ * portal's scene. Each canvas has one FarolRenderer.
  *
  * @example
  * <Canvas>

@@ -8,9 +8,9 @@ const LOOKS = 64;
 let visits = 0;
 
 /**
- * Whether a draw is for Farol. What shows no light, such as the full-screen triangles of post-processing and pictures of
- * depth or normals, three draws with the same picture and less work.
- * @param effects - whether effects are to be seen on a scene without lit materials too
+ * Whether Farol should draw a scene. Scenes without lit materials, such as full-screen triangles of post-processing and pictures
+ * of depth or normals, look the same by three, with less work.
+ * @param effects - whether there are effects, which also show without lit materials
  */
 export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean): boolean {
   const { isPerspectiveCamera } = camera as PerspectiveCamera;
@@ -20,7 +20,7 @@ export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean):
   const { overrideMaterial = null } = scene as Scene;
   if (overrideMaterial !== null) return isLit(overrideMaterial);
   visits = LOOKS;
-  // a full-screen triangle is alone in its scene
+  // a full-screen triangle is the only object of its scene
   return hasLit(scene) || (effects && LOOKS - visits > 2);
 }
 

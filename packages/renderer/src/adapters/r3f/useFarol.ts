@@ -4,8 +4,7 @@ import type { FarolRenderer } from '../../renderer/FarolRenderer';
 import { CanvasFarol } from './CanvasFarol';
 
 /**
- * The FarolRenderer of the canvas that the component is in, or null while nothing is drawn by Farol. The component is
- * rendered anew when that changes.
+ * The FarolRenderer of the component's canvas; null while Farol draws nothing. Changes re-render the component.
  *
  * @example
  * const farol = useFarol();

@@ -8,11 +8,11 @@ import { useFarol } from './useFarol';
 
 /** Props of `<Farol>` and `<FarolInComposer>`; all may change at any time. */
 export interface FarolProps extends FarolOptions {
-  /** Effects: must be the same list from render to render (`useMemo`); freed with the component. Default none. */
+  /** Effects: must be the same list from render to render (`useMemo`); disposed with the component. Default none. */
   effects?: FarolOptions['effects'];
-  /** Whether Farol draws; if false, Farol frees its resources, and three draws. Default true. */
+  /** Whether Farol draws; if false, its resources are freed, and three draws. Default true. */
   enabled?: boolean;
-  /** Gets the FarolRenderer, for `info`, `microshaders` and what else it offers; null while not enabled. */
+  /** Receives the FarolRenderer, for `info`, `microshaders` and the like; null while not enabled. */
   ref?: Ref<FarolRenderer | null>;
 }
 
@@ -26,7 +26,7 @@ const isSame = (a: FarolSettings, b: FarolSettings): boolean =>
 
 /**
  * Lets Farol draw a scene of the canvas while the component is mounted.
- * @param scene - null for all that the canvas draws
+ * @param scene - scene; null for all that the canvas draws
  */
 export function useFarolSettings(props: FarolProps, scene: Object3D | null): void {
   const { enabled = true, ref, ...options } = props;
@@ -36,17 +36,17 @@ export function useFarolSettings(props: FarolProps, scene: Object3D | null): voi
   const [owner] = useState(() => ({}));
   const asked: FarolSettings = { options, scene, invalidate };
   const [settings, setSettings] = useState(asked);
-  // React then renders once more, before effects run
+  // makes React render again, before effects run
   if (!isSame(asked, settings)) setSettings(asked);
   const follow = useRef(() => {});
 
-  // mounts before the next frame; not unmounted by a layout effect, since React ends those while a sibling suspends
+  // mounts before the next frame; unmounted by the effect below, since React ends layout effects while a sibling suspends
   useLayoutEffect(() => {
     follow.current = () => (enabled ? canvas.mount(owner, settings) : canvas.unmount(owner));
     follow.current();
   }, [canvas, owner, enabled, settings]);
   useEffect(() => {
-    follow.current(); // React may have run the function below without the layout effect after it
+    follow.current(); // React may have run the cleanup below without running the layout effect again
     return () => canvas.unmount(owner);
   }, [canvas, owner]);
 

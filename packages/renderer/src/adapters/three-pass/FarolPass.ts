@@ -3,10 +3,10 @@ import { RenderPass } from 'three/addons/postprocessing/RenderPass.js';
 import type { FarolRenderer } from '../../renderer/FarolRenderer';
 
 /**
- * Draws a scene by Farol in three's EffectComposer, or in `WebGLRenderer.setEffects`: put it where `RenderPass` stood. The
- * picture goes to the composer's read buffer, or to the canvas if no pass follows; depth is left in the buffer and in its
+ * Draws a scene by Farol in three's EffectComposer, or in `WebGLRenderer.setEffects`, in place of `RenderPass`. The
+ * picture is drawn to the composer's read buffer, or to the canvas if no pass follows; depth is in the buffer and its
  * depth texture, and the buffers are not swapped. `clear`, `clearDepth`, `clearColor`, `clearAlpha` and
- * `overrideMaterial` mean what they mean in `RenderPass`. (For pmndrs' postprocessing: `FarolPostPass`.)
+ * `overrideMaterial` are those of `RenderPass`. (For pmndrs' postprocessing: `FarolPostPass`.)
  *
  * @example
  * const composer = new EffectComposer(webgl);
@@ -19,7 +19,7 @@ export class FarolPass extends RenderPass {
   private readonly hostColor = new Color();
 
   /**
-   * @param farol - renderer that draws the scene; stays the host's to dispose
+   * @param farol - renderer that draws the scene; the host disposes it
    * @param overrideMaterial - material that replaces all materials; null for none
    * @param clearColor - clear colour; null for the renderer's own
    * @param clearAlpha - clear alpha, 0 to 1; null for the renderer's own

@@ -29,24 +29,24 @@ import occlusionSurface from './occlusionSurface.glsl?raw';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
 
 const SIZE = ['farol_frameSize'];
-/** Greatest radius on screen (pixels at full resolution): with a larger one, samples would lie too far apart. */
+/** Greatest radius on screen (pixels at full resolution); samples would be too sparse in a larger one. */
 const LARGEST_RADIUS = 256;
 
 /** Attachment for the light that occlusion darkens: ambient, environment, light maps, reflections by roughness. */
 const INDIRECT: GBufferAttachment = { name: 'indirect', format: RGBAFormat, type: HalfFloatType, bytes: 8 };
 
-/** Destination of a frame's occlusion: the accumulation of the G-buffer, or the materials that are drawn after it. */
+/** Destination of a frame's occlusion: the G-buffer's accumulation, or the materials drawn after the occlusion. */
 type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
 
 /**
- * Ambient occlusion (GTAO): how much of the sky over each pixel is closed by what lies near it, from depth and normals, takes
- * down ambient, hemisphere, environment and light map light; direct and emissive light stay as they are. Rougher
- * environment reflections are taken down more.
+ * Ambient occlusion (GTAO): finds from depth and normals how much of the sky nearby surfaces hide from each pixel, and darkens
+ * ambient, hemisphere, environment and light map light by it; direct and emissive light do not change. Rougher environment
+ * reflections are darkened more.
  *
  * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment for
- * indirect light (materials that the G-buffer cannot hold get none); with `light-prepass` the thin G-buffer; with
- * `forward-plus` its depth, from which normals are rebuilt. Other techniques know no depth before they shade: there it is
- * left out, and a warning says so; as it is with a G-buffer on devices that draw to four buffers at once.
+ * indirect light (materials that the G-buffer cannot hold get none); with `light-prepass` the thin G-buffer; with `forward-plus`
+ * its depth, from which normals are rebuilt. Other techniques have no depth before they shade: there, and with a G-buffer on
+ * devices that draw to only four buffers at once, it is left out with a warning.
  * @see Jimenez, Wu, Pesce and Jarabo 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion
  */
 export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
@@ -137,7 +137,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
   }
 
   end(): void {
-    // another technique draws until the code of the one asked for is there
+    // no warning while code is loading: until then another technique draws
     if (this.use !== 'none' || this.warned || Lazy.lacking!.size > 0) return;
     this.warned = true;
     console.warn(
@@ -187,8 +187,8 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
   }
 
   /**
-   * Sets how the frame's surfaces tell their distance.
-   * @param distances - texture of distances as storedDistance.glsl packs them; null where depth tells them
+   * Sets the source of the surfaces' distances.
+   * @param distances - texture of distances packed by storedDistance.glsl; null to use depth
    * @param component - first component of the distance in a texel
    */
   private setDistances(frame: Frame, distances: Texture | null, component = 0): void {
@@ -198,7 +198,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
     farol_surfaceStored.value[1] = component;
   }
 
-  /** Finds the open share of the sky over each pixel, and filters it into the target of a pass. */
+  /** Computes the open share of the sky over each pixel, and filters it into the target of a pass. */
   private draw(
     frame: Frame,
     filter: AmbientOcclusion['share'],
@@ -224,7 +224,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
     return result;
   }
 
-  /** Open share of the sky in a frame that this has drawn; where the G-buffer's light alone was darkened, drawn by the call. */
+  /** Open share of the sky in the frame drawn last; drawn by this call if only the G-buffer's light was darkened. */
   openSky(frame: Frame): Texture {
     const { share, use } = this;
     return (use === 'accumulation' ? share.drawToOwn(frame, frame.width, frame.height) : share).texture as Texture;

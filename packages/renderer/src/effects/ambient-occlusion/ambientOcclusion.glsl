@@ -5,7 +5,7 @@
 #ifdef FAROL_NORMALS
 uniform highp sampler2D farol_surfaceNormal; // normal of the surface: view space, octahedral
 #endif
-uniform highp vec4 farol_reach; // radius (m); radius at 1 m distance, pixels a texel, largest radius (pixels)
+uniform highp vec4 farol_reach; // radius: x: m; y: pixels at 1 m distance; w: largest (pixels); z: pixels a texel
 layout(location = 0) out highp vec4 farol_open;
 
 const int FAROL_SLICES = 3;
@@ -21,7 +21,7 @@ bool farol_isInside(const in ivec2 pixel) {
   return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(farol_frameSize)));
 }
 
-// change of the view-space position (m) to the next pixel, by the neighbour nearer in depth
+// change of the view-space position (m) to the next pixel, from the neighbour nearer in depth
 vec3 farol_change(const in ivec2 pixel, const in vec3 position, const in ivec2 to) {
   vec3 after = farol_positionAt(pixel + to) - position;
   vec3 before = position - farol_positionAt(pixel - to);
@@ -38,7 +38,7 @@ vec3 farol_normalAt(const in ivec2 pixel, const in vec3 position) {
   return normalize(cross(farol_change(pixel, position, ivec2(1, 0)), farol_change(pixel, position, ivec2(0, 1))));
 }
 
-// cosine of the highest horizon along a direction of the picture, seen from the position
+// cosine of the highest horizon along a direction on screen, as seen from the position
 float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 toEye, const in vec2 direction,
   const in float radius, const in float shift, const in float lowest) {
   float highest = lowest;
@@ -49,7 +49,7 @@ float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 
     vec3 there = farol_positionAt(pixel + offset) - position;
     float distanceSquared = dot(there, there);
     float cosine = dot(there, toEye) * inversesqrt(max(distanceSquared, 1e-12));
-    // samples beyond the radius do not count, those near the radius count little
+    // weight falls to 0 at the radius
     float weight = clamp(2.0 - 2.0 * distanceSquared / (farol_reach.x * farol_reach.x), 0.0, 1.0);
     highest = max(highest, mix(lowest, cosine, weight));
   }

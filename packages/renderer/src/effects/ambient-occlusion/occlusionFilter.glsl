@@ -1,8 +1,8 @@
-// Averages ambient occlusion over 4 × 4 texels that lie on the pixel's own surface, and brings it to full resolution.
+// Averages ambient occlusion over 4 × 4 texels on the pixel's own surface, at full resolution.
 // Kopf et al. 2007, Joint Bilateral Upsampling; Jimenez et al. 2016 (GTAO), spatial filter
 #include "occlusionSurface"
 uniform highp sampler2D farol_openMap;
-uniform highp vec4 farol_reach; // radius (m); radius at 1 m distance, pixels a texel, largest radius (pixels)
+uniform highp vec4 farol_reach; // radius: x: m; y: pixels at 1 m distance; w: largest (pixels); z: pixels a texel
 uniform highp float farol_strength; // strength of the occlusion: exponent of the share of the sky that is open
 #ifdef FAROL_ACCUMULATION
 uniform highp sampler2D farol_lit; // sum of emissive and indirect light
@@ -15,7 +15,7 @@ float depth = texelFetch(farol_surfaceDepth, pixel, 0).r;
 float open = 1.0;
 if (!farol_isEmpty(depth)) {
   float z = farol_surfaceZ(pixel);
-  // slope of the surface, by the neighbour nearer in depth
+  // slope of the surface, from the neighbour nearer in depth
   vec2 zs0 = z - vec2(farol_surfaceZ(pixel - ivec2(1, 0)), farol_surfaceZ(pixel - ivec2(0, 1)));
   vec2 zs1 = vec2(farol_surfaceZ(pixel + ivec2(1, 0)), farol_surfaceZ(pixel + ivec2(0, 1))) - z;
   vec2 slope = vec2(abs(zs0.x) < abs(zs1.x) ? zs0.x : zs1.x, abs(zs0.y) < abs(zs1.y) ? zs0.y : zs1.y);

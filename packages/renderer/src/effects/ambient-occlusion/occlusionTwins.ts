@@ -6,7 +6,7 @@ import occludedIndirect from './occludedIndirect.glsl?raw';
 
 function warnOf({ name, type }: Material): void {
   console.warn(
-    `Farol: ambient occlusion does not darken the material "${name || type}": its onBeforeCompile takes #include <aomap_fragment> out; keep that line.`,
+    `Farol: ambient occlusion does not darken the material "${name || type}": its onBeforeCompile removes #include <aomap_fragment>; keep that line.`,
   );
 }
 
@@ -36,7 +36,7 @@ farol_outIndirect = vec4(reflectedLight.indirectDiffuse + material.roughness * r
 farol_outIndirect = vec4(reflectedLight.indirectDiffuse, 0.0);
 #endif`;
 
-/** Twin kind of a G-buffer draw that also writes its indirect light to the attachment at a location. */
+/** Twin kind of a G-buffer draw that also writes its indirect light to the attachment `location`. */
 export function indirectTwin(kind: TwinKind, location: number): TwinKind {
   return {
     ...kind,

@@ -1,13 +1,10 @@
 import type { DirectionalLight, Light, SpotLight } from 'three';
 import type { LightTable } from '../../lighting/LightTable';
 
-/** Greatest number of lights compared in a frame; with more lights, different ones are compared each frame. */
+/** Maximum number of lights compared in a frame; of more lights, each frame compares others. */
 const LOOKS = 256;
 
-/**
- * Detects changed or moved lights by the lights themselves, since the light table is in the space of a camera that may
- * move.
- */
+/** Detects changed or moved lights from the light objects, since the light table is in the view space of a camera that may move. */
 export class LightWatch {
   private readonly known = new WeakMap<Light, number>();
   private next = 0;

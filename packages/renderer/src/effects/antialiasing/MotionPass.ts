@@ -11,9 +11,9 @@ import type { ObjectMotions } from './ObjectMotions';
 const clip = new Matrix4();
 
 /**
- * Draws the motion of moving objects' pixels since the last frame, where they are visible (x, y: in widths and heights
- * of the picture; z: former minus present distance, m; alpha: 1 where drawn): objects, skins, morphs, instances and
- * batches. Left out are pixels that move by the camera alone.
+ * Draws the motion of moving objects' visible pixels since the last frame (x, y: in widths and heights of the picture; z: former
+ * minus present distance, m; alpha: 1 where drawn): objects, skins, morphs, instances and batches. Pixels that only the camera
+ * moves are left out.
  */
 export class MotionPass {
   /** Whether the pass has drawn in this frame. */
@@ -21,7 +21,7 @@ export class MotionPass {
   changed = false;
   /** Whether former positions of all moving objects are known, and each of them also moved in the last frame. */
   known = true;
-  /** Whether an object has moved that this pass cannot draw: a transparent one, or one with a shader of the host's. */
+  /** Whether an object has moved that this pass cannot draw: a transparent one, or one with the host's own shader. */
   undrawn = false;
   target: WebGLRenderTarget | null = null;
   private readonly uniforms;
@@ -47,10 +47,10 @@ export class MotionPass {
   }
 
   /**
-   * @param motions - states of objects in the last frame of this camera; updated to this frame
+   * @param motions - states of objects in this camera's last frame; updated to this frame
    * @param number - number of this frame
    * @param before - last frame's projection × view
-   * @param picture - finished picture, whose depth hides motion behind it
+   * @param picture - finished picture, whose depth hides motion behind its surfaces
    */
   render(frame: Frame, motions: ObjectMotions, number: number, before: Matrix4, picture: WebGLRenderTarget): void {
     this.drawn = this.changed = false;
@@ -81,7 +81,7 @@ export class MotionPass {
       const { object } = item;
       if ((item.material as ReactiveMaterial).isReactive === true) continue;
       const motion = motions.of(object);
-      if (motion.frame === number) continue; // the object was compared already: this is another material group of it
+      if (motion.frame === number) continue; // another material group of an object that was compared already
       const isNew = motion.frame !== number - 1;
       const moved = !isNew && motion.hasMoved(object);
       if (!isNew && !moved) {

@@ -29,15 +29,14 @@ import { bindFramebuffer, isDepthReversed } from '../../three/state';
 const SAMPLES = 4;
 
 /**
- * Multisampled edges over any technique: the geometry is drawn once more, with 4 samples a pixel. A surface that the finished
- * picture shows in its pixel has that colour; what a pixel shows besides is shaded there, as stock three does with
- * `antialias: true`. It needs one picture only: it is the same whether things stand or move, and nothing ghosts.
+ * Multisampled edges over any technique: the geometry is drawn again, with 4 samples a pixel. Samples of the surface that the
+ * finished picture shows in the pixel take the picture's colour; other samples are shaded, as stock three does with
+ * `antialias: true`. Only one picture is used, so that motion changes nothing and nothing ghosts.
  *
- * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under things
- * that are transparent and write no depth, the colour is that of a pixel nearby which shows the surface, if there is one;
- * what none shows is shaded all the same, up to `mostLights`.
- * Left as they are: points, lines, sprites, what has a shader of the host's, stencil or a depth function of its own, and
- * transparent things. Not to be used together with `SMAA` or `TAA`, in whose pictures edges are smooth already.
+ * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under transparent
+ * objects that write no depth, the colour is that of a nearby pixel which shows the surface; surfaces that none shows are shaded
+ * all the same, up to `mostLights`. Not smoothed: points, lines, sprites, materials with the host's own shader, stencil or depth
+ * function, and transparent objects. Do not combine with `SMAA` or `TAA`, whose pictures have smooth edges already.
  * @see Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing, https://doi.org/10.1145/1944745.1944748
  */
 export class MultisampledEdges implements FarolEffect {
@@ -45,12 +44,9 @@ export class MultisampledEdges implements FarolEffect {
   readonly lacks = lacksFloatTargets;
   readonly takesPicture = true;
   readonly smoothsEdges = true;
-  /** Greatest number of lights at which all edges are shaded anew. Default 32. */
+  /** Maximum number of lights with which all edges are shaded. Default 32. */
   shadedLights = 32;
-  /**
-   * Number of lights above which no edge is shaded: surfaces that no pixel nearby shows keep the picture's edges.
-   * Default 128.
-   */
+  /** Number of lights above which no edge is shaded: surfaces that no nearby pixel shows keep the picture's edges. Default 128. */
   mostLights = 128;
   private readonly picture = { value: null as Texture | null };
   private readonly depth = { value: null as Texture | null };
@@ -126,8 +122,8 @@ export class MultisampledEdges implements FarolEffect {
   }
 
   /**
-   * Sets the uniforms for a frame: edges take a nearby pixel's colour where transparent objects, decals, effects or too
-   * many lights are not part of a new shading.
+   * Sets the uniforms for a frame: edges take a nearby pixel's colour where shading would lack transparent objects, decals or
+   * effects, or cost too many lights.
    */
   private setReuse(frame: Frame): void {
     const { queue, lights } = frame;

@@ -14,14 +14,14 @@ import { surfacesOf } from '../../materials/surfacesOf';
 import { batchMatrices } from '../../three/batchTextures';
 import { attributeState } from '../../three/vertexData';
 
-/** Instance matrices in a row of a texture, four texels each. */
+/** Number of instance matrices in a row of a texture, four texels each. */
 const INSTANCES_PER_ROW = 512;
 
 /** State of an object in the last frame: its matrix, bones, morphs and instances. */
 export class ObjectMotion {
   /** Number of the frame in which the state was copied. */
   frame = -1;
-  /** Whether the object had moved from the frame before to the copied state. */
+  /** Whether the object moved between the frame before and the copied state. */
   moves = false;
   /** World matrix; for a skinned mesh times the inverse of its bind matrix. */
   readonly matrix = new Float64Array(16);
@@ -31,7 +31,7 @@ export class ObjectMotion {
   instances: DataTexture | null = null;
   morphBase = 1;
   morphs: number[] = [];
-  /** Whether the object is in the list of those whose textures are to be freed. */
+  /** Whether the object is in `ObjectMotions.holders`, whose textures must be freed. */
   listed = false;
   /** Times (s) of the surface shaders that displace the object's vertices. */
   readonly surfaceTimes: number[] = [];
@@ -60,8 +60,8 @@ export class ObjectMotion {
   }
 
   /**
-   * Whether the former state is known. It is not if the page has changed vertices; matrices of instances are known from
-   * their first change on.
+   * Whether the former state is known; false if the page has changed vertices. Matrices of instances are known from their first
+   * change on.
    */
   isKnown(object: Object3D): boolean {
     if (verticesOf(object) !== this.vertices) return false;
@@ -140,7 +140,7 @@ export class ObjectMotion {
 
 const world = new Float64Array(16);
 
-/** Number that changes when an object's surfaces displace vertices otherwise; 0 if none does. */
+/** Number that changes when an object's surface shaders displace vertices differently; 0 if none displaces. */
 function displacementOf(object: Object3D): number {
   const { material } = object as Mesh;
   if (Array.isArray(material)) {

@@ -26,12 +26,12 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
     return bytes;
   }
 
-  /** Mask of this frame; null when nothing in it is reactive. */
+  /** Mask of this frame; null when nothing in the frame is reactive. */
   get now(): Texture | null {
     return this.isDrawn ? this.targets[0]!.texture : null;
   }
 
-  /** Mask of the last frame; null when nothing in it was reactive. */
+  /** Mask of the last frame; null when nothing in that frame was reactive. */
   get previous(): Texture | null {
     return this.wasDrawn ? (this.targets[1]?.texture ?? null) : null;
   }
@@ -48,7 +48,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
     frame.drawItem(item, material);
   }
 
-  /** Ends the frame: its mask becomes that of the last frame. */
+  /** Ends the frame: its mask becomes `previous`. */
   advance(): void {
     this.wasDrawn = this.isDrawn;
     this.isDrawn = false;
@@ -84,7 +84,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
   }
 }
 
-/** Frees a mask's target, but not its depth, which is the picture's. */
+/** Frees a mask's target, but not its depth texture, which belongs to the picture. */
 function free(target: WebGLRenderTarget | null): null {
   if (target === null) return null;
   target.depthTexture = null;

@@ -14,10 +14,10 @@ const LINEAR = { minFilter: LinearFilter, magFilter: LinearFilter } as const;
 
 /**
  * Enhanced subpixel morphological anti-aliasing of one picture (SMAA 1x): finds edges of luma, follows each to its ends (32
- * pixels to either side at most), and mixes the pixels along it by the area that a smooth edge would cover. Needs one
- * picture only: nothing ghosts. What is thinner than a pixel keeps flickering; `TAA` mends that. Without the diagonal
- * patterns of the paper's section 4.2. Corners, and the ends and crossings of thin lines, stay sharp. The area of a pattern is
- * computed, not looked up, so there is no texture to load. Works with every technique.
+ * pixels to either side at most), and mixes the pixels along it by the area that a smooth edge would cover. Only one picture is
+ * used, so nothing ghosts. Details thinner than a pixel still flicker, unlike with `TAA`. Without the diagonal patterns of the
+ * paper's section 4.2. Corners, and the ends and crossings of thin lines, stay sharp. The areas of patterns are computed, so
+ * there is no texture to load. Works with every technique.
  * @see Jimenez, Echevarria, Sousa and Gutierrez 2012, SMAA: Enhanced Subpixel Morphological Antialiasing,
  *   https://www.iryoku.com/smaa/
  */
@@ -61,7 +61,7 @@ export class SMAA implements FarolEffect {
     this.shared.begin(frame);
   }
 
-  /** @param goesOn - whether more of the frame is drawn afterwards, as for `Picture.end` */
+  /** @param goesOn - whether more of the frame is drawn to the host's target afterwards */
   end(frame: Frame, goesOn = false): void {
     const picture = this.shared!;
     const { edges, weights, blend } = this;

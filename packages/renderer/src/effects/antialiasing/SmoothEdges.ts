@@ -4,9 +4,8 @@ import { hasOutputBuffer } from '../../three/hasOutputBuffer';
 import { SMAA } from './SMAA';
 
 /**
- * Implements `FarolOptions.antialias`: SMAA of the pixels shaded from a G-buffer, one sample each. Later draws over
- * them, such as lines, sprites and glass, are multisampled as stock three's, unless another effect needs the whole
- * picture.
+ * Implements `FarolOptions.antialias`: SMAA of the pixels shaded from a G-buffer, one sample each. Later draws, such as lines,
+ * sprites and glass, are multisampled as in stock three, unless another effect needs the whole picture.
  */
 export class SmoothEdges extends SMAA {
   readonly after = ['output'] as const;
@@ -16,11 +15,11 @@ export class SmoothEdges extends SMAA {
   private buffered: boolean | null = null;
   private isOn = false;
 
-  /** Does nothing: `picked` redirects the frame, once the technique is known to have a G-buffer. */
+  /** Does nothing: `picked` redirects the frame, if the technique has a G-buffer. */
   override begin(): void {}
 
   picked(frame: Frame): void {
-    // the drawing buffer's format is read here, since it cannot be within three's render
+    // the drawing buffer's format is read here, since reading it within three's `render` fails
     if (frame.target === null) this.buffered ??= hasOutputBuffer(frame.webgl);
     this.isOn = !this.isLeftOut(frame);
     if (this.isOn) super.begin(frame);
@@ -41,8 +40,8 @@ export class SmoothEdges extends SMAA {
   }
 
   /**
-   * Effects of a frame with this one appended; unchanged if one of them smooths edges, if the target has several
-   * textures, or if effects of three's own draw from its output buffer.
+   * Effects of a frame with this one appended; unchanged if one of them smooths edges, if the target has several textures, or if
+   * three's own effects read its output buffer.
    */
   addTo(effects: ActiveEffects, frame: Frame): ActiveEffects {
     if (this.isLeftOut(frame) || effects.all.some(smoothsEdges)) return effects;

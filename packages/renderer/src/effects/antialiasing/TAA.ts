@@ -26,15 +26,15 @@ import { contextLists } from '../../three/contextLists';
 const SIZE = ['farol_frameSize'];
 /** Number of sample positions in a pixel that frames cycle through. */
 const SAMPLES = 32;
-/** Factor on the new frame's weight for pixels that stand still while others move. */
+/** Factor on the new frame's weight for still pixels while others move. */
 const STILL = 0.5;
-/** Number of frames after a change of lights or materials in which history is always clipped to neighbours. */
+/** Number of frames after a change of lights or materials in which history is always clipped to neighbouring colours. */
 const RELIT = 8;
 /** Number of frames after an object appears or begins to move in which no pixel counts as still. */
 const MET = 2;
 /** Number of frames without any change after which all frames are averaged. */
 const SETTLED = 4;
-/** Number of frames as which the accumulated picture counts after objects have moved. */
+/** Number of frames that the accumulated picture weighs as, after objects have moved. */
 const MOVED = 3;
 /** Number of pixels from which on the default of `cells` is 1. */
 const LARGE = 4e6;
@@ -43,23 +43,21 @@ const CUT = 0.7;
 
 export interface TAAOptions {
   /**
-   * History cells along a pixel's side: 2 stays sharp in motion, at 72 bytes a pixel; 1 takes 24. Default 2, or 1 from
-   * 4 million pixels on. Always 1 if the device has no targets of twice the picture's size.
+   * History cells along a pixel's side: 2 stays sharp in motion, at 72 bytes a pixel; 1 takes 24. Default 2, or 1 from 4 million
+   * pixels on. Always 1 if the device's targets cannot be twice the picture's size.
    */
   readonly cells?: 1 | 2;
 }
 
 /**
- * Temporal anti-aliasing. Each frame is drawn with the camera moved within the pixel, by a view of the host's camera whose
- * projection alone differs, and mixed with the frames before, looked up where what a pixel shows was then: by the camera's
- * motion and depth, and of what moves by itself (objects, skins, morphs, instances, batches) by a pass of motion. The past
- * is kept in four cells a pixel, so that looking it up again and again does not blur it. It is believed as it is at the edges
- * of what was in its place by depth too; else only as far as it is like the present pixel's neighbours (variance clipping in
- * YCoCg). A picture in which nothing changes becomes the mean of 32 places in each pixel. Works with every technique.
- *
- * A change is seen in matrices, lights, and the colours and numbers of materials. Shaders and textures that move by
- * themselves are taken for changes always. Motion of what a shader of the host's moves is not known: it may ghost. Where
- * particles are or were in the last frame nothing of the past is shown, so that they leave no trail.
+ * Temporal anti-aliasing. Each frame is drawn with the projection (of a stand-in for the host's camera) shifted within the
+ * pixel, and mixed with the history of earlier frames, sampled where the pixel's surface was then: by depth and camera motion,
+ * and for moving objects, skins, morphs, instances and batches by a motion pass. The history has four cells a pixel, so that
+ * repeated sampling does not blur it. At edges whose depth agrees with the last frame's it is used unchanged; elsewhere it is
+ * clipped to the colours of the pixel's neighbours (variance clipping in YCoCg). A picture without changes becomes the mean of
+ * 32 samples in each pixel. Works with every technique. Changes are detected from matrices, lights, and colours and numbers of
+ * materials. The host's own shaders and videos count as always changing; what such shaders move may ghost. Where particles are
+ * or were in the last frame no history is used, so that they leave no trail.
  * @see Karis 2014, High Quality Temporal Supersampling, https://advances.realtimerendering.com/s2014/
  * @see Yang et al. 2009, Amortized Supersampling, https://doi.org/10.1145/1618452.1618481
  * @see Salvi 2016, An Excursion in Temporal Supersampling (GDC)
@@ -75,7 +73,7 @@ export class TAA implements FarolEffect {
    * Default 0.65.
    */
   share = 0.65;
-  /** Clipping distance of an untrusted past, in standard deviations of the pixel's neighbours; above 0. Default 2. */
+  /** Clipping distance of untrusted history, in standard deviations of the pixel's neighbours; above 0. Default 2. */
   gamma = 2;
   private readonly histories: TemporalHistory[] = [];
   private readonly recent = new RecentlyUsed<TemporalHistory>((history) => {
@@ -159,13 +157,13 @@ export class TAA implements FarolEffect {
     return bytes;
   }
 
-  /** Forgets the past. Call after a cut, or after a change that the scene's objects do not show. */
+  /** Forgets the history. Call after a cut, or after a change that cannot be detected from the scene's objects. */
   reset(): void {
     for (const history of this.histories) history.reset();
   }
 
   begin(frame: Frame): void {
-    // targets hold a failed frame, or are lost with the context: three then makes its lists anew
+    // the targets hold a failed frame, or were lost with the context (three then has new lists)
     if (this.open || this.contextLists !== contextLists(frame.webgl)) this.reset();
     this.open = true;
     this.contextLists = contextLists(frame.webgl);
@@ -240,12 +238,12 @@ export class TAA implements FarolEffect {
     const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
     const follows = !history.isEmpty;
     const moved = !viewProjection.equals(history.viewProjection);
-    // a moving camera sees new objects; changes among them are left to clipping
+    // only with a still camera: a moving one sees other objects, and clipping handles their changes
     const relit =
       history.lights.changed(frame.lights) ||
       (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.materialHash));
     history.materialHash = looks;
-    // pixels of the former reactive mask begin anew among settled ones
+    // frames with reactive pixels, now or before, count as changed
     const { reactive } = history;
     const covers = reactive.now !== null || reactive.previous !== null;
     const resized = history.sizeBefore.x !== frame.width || history.sizeBefore.y !== frame.height;
@@ -283,12 +281,12 @@ export class TAA implements FarolEffect {
     if (history.isEmpty) gathered.copy(weights);
     else gathered.setScalar(MOVED / parts);
     const first = 1 / (1 + history.count / parts);
-    // a cell that is a whole pixel gets a sample in every frame
+    // with one cell a pixel, the cell gets a sample in every frame
     const least = 1 - (1 - share) ** (parts / 4);
     farol_share.value.set(Math.max(first, least), Math.max(first, least * STILL));
   }
 
-  /** Draws how far surfaces are, where depth does not tell. */
+  /** Draws the distances of surfaces, where depth does not give them. */
   private drawDistances(frame: Frame): void {
     const { farol_distances, farol_distanceDepth, farol_distancesStored } = this.resolve.uniforms;
     farol_distancesStored.value = frame.storesDistance ? storedKind(frame.camera) : 0;
@@ -325,13 +323,13 @@ export class TAA implements FarolEffect {
     const scales = targetSizes.room > 0;
     const wanted = this.options.cells ?? (history.cellsOf(scales) || (width * height < LARGE ? 2 : 1));
     const cells = (this.pastCells.farol_cells.value = beyond ? 1 : wanted);
-    // a frame budget scales the picture step by step: its past is looked up across sizes
+    // while a frame budget changes the scale step by step, history of another size is used
     if (!history.hasSize(width, height, cells) && history.cellsOf(scales) !== cells) history.reset();
     history.setSize(width, height, cells);
     return history;
   }
 
-  /** View of the host's camera with a projection moved by the jitter. */
+  /** Stand-in for the host's camera, with a projection shifted by the jitter. */
   private viewOf(camera: Camera): Camera {
     let view = this.views.get(camera);
     if (view === undefined) {
@@ -354,7 +352,7 @@ function sendsFields({ lights, uploadedBytes }: Frame): boolean {
 }
 
 /**
- * Moves a projection by normalised device coordinates: a row operation, right for perspective, orthographic and off-centre
+ * Shifts a projection by normalised device coordinates: a row operation, for perspective, orthographic and off-centre
  * projections alike.
  */
 export function jitterProjection(projection: Matrix4, x: number, y: number): Matrix4 {

@@ -23,7 +23,7 @@ const REACH = { type: HalfFloatType, format: RGFormat } as const;
 export class TemporalHistory {
   /** States of objects in the last frame. */
   readonly motions = new ObjectMotions();
-  /** Pixels whose past is ignored: particles and others that change without motion. */
+  /** Pixels whose history is ignored: particles and others that change without motion. */
   readonly reactive = new ReactiveMasks();
   readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */
@@ -34,13 +34,13 @@ export class TemporalHistory {
   readonly sizeBefore = new Vector2();
   /** Number of frames accumulated since the last reset. */
   count = 0;
-  /** Frames since any change of the picture; Infinity after a reset. */
+  /** Number of frames since any change of the picture; Infinity after a reset. */
   quiet = Infinity;
   sure = Infinity;
   known = Infinity;
   /** Number of the last frame; `reset` does not change it. */
   frame = 0;
-  /** Hash of the last frame's materials and surroundings, by `looksOf`. */
+  /** Hash of the last frame's materials and surroundings, from `looksOf` and `surroundingsOf`. */
   materialHash = 0;
   /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
   readonly gathered = new Vector4();
@@ -81,12 +81,12 @@ export class TemporalHistory {
     return this.width === width && this.height === height && this.cells === cells;
   }
 
-  /** Cells along a pixel's side that a history is to keep; 0 if there is none, or it need not. */
+  /** Cells along a pixel's side in this history, if it must keep them; 0 if it need not or is empty. */
   cellsOf(keeps: boolean): number {
     return keeps && !this.isEmpty ? this.cells : 0;
   }
 
-  /** Begins a frame with a size (pixels) and cells along a pixel's side; it is drawn to `next` and `nextReach`. */
+  /** Sets size (pixels) and cells along a pixel's side of the targets `next` and `nextReach`. */
   setSize(width: number, height: number, cells: number): void {
     this.width = width;
     this.height = height;
@@ -101,7 +101,7 @@ export class TemporalHistory {
     return this.reaches[this.frame & 1].of(this.width, this.height);
   }
 
-  /** Ends a frame: its targets are the history of the next one. */
+  /** Ends a frame: its targets become the next frame's history. */
   advance(viewProjection: Matrix4, camera: Camera): void {
     this.sizeBefore.set(this.width, this.height);
     this.last = this.next.texture;

@@ -1,15 +1,14 @@
 import type { Vector2, Vector4 } from 'three';
 
-/** Standard deviation of the weight of a sample off the middle of a cell, in cells. */
+/** Standard deviation of the Gaussian that weighs a sample by its distance to a cell's middle (cells). */
 const REACH = 0.42;
 
 /**
- * Weight of a sample in each cell of a pixel: a Gaussian of its distance to the cell's middle, or 1 in its own cell
- * alone.
+ * Weight of a sample in each cell of a pixel: a Gaussian of its distance to the cell's middle, or 1 in its own cell alone.
  * @param jitter - shift of the picture (normalised device coordinates)
  * @param cells - cells along a pixel's side: 1 (the weight is 1) or 2
  * @param strict - whether the weight is 1 in the sample's own cell and 0 in others
- * @param out - 0 to 1, rows of cells from the lower left on
+ * @param out - receives weights, 0 to 1, in rows from the lower left
  * @see Karis 2014, High Quality Temporal Supersampling
  */
 export function cellWeights(
@@ -23,7 +22,7 @@ export function cellWeights(
   out.set(1, 1, 1, 1);
   if (cells === 1) return out;
   for (let i = 0; i < 4; i++) {
-    // jitter moves the samples against the picture; the nearest sample may be a neighbouring pixel's
+    // jitter shifts the samples; the nearest one may be a neighbouring pixel's
     const x = off(((i & 1) - 0.5) / 2 + (jitter.x * width) / 2);
     const y = off(((i >> 1) - 0.5) / 2 + (jitter.y * height) / 2);
     const inside = Math.abs(x) <= 0.5 && Math.abs(y) <= 0.5;

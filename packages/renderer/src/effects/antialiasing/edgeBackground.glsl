@@ -1,4 +1,4 @@
-// What lies behind all surfaces, also at pixels whose middle a surface covers.
+// Draws the background's colour, also at pixels whose middle a surface covers.
 // Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 #include "edgeColor"
 uniform highp float farol_farthest; // depth-buffer value of the far plane

@@ -1,22 +1,22 @@
-// The colour of a surface in a picture that shows one surface a pixel, by the depth that it has there: that of its own
-// pixel, or of the neighbour whose depth lies nearest to the plane of the fragment's triangle.
-// Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
+// Finds a surface's colour in a picture with one surface a pixel, by depth: of its own pixel, or of the neighbour
+// whose depth is nearest to the plane of the fragment's triangle. Chajdas, McGuire and Luebke 2011, Subpixel
+// Reconstruction Antialiasing
 #include "frameSize"
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_pictureDepth;
 
 /** Greatest rounding error of a depth-buffer value. */
 const float FAROL_ROUNDING = 2e-7;
-/** Added to the alpha of a sample whose surface the picture shows; the mean of 4 samples keeps mark and alpha. */
+/** Mark added to the alpha of a sample whose surface the picture shows; readable, with alpha, in a mean of 4. */
 const float FAROL_SHOWN = 8.0;
 
 /**
  * Whether the picture shows the surface.
  * @param depth - stored depth of the surface at the pixel
  * @param slope - change of that depth to the next pixel in x, y
- * @param fit - greatest difference of depth, as a share of the slope
- * @param nearby - whether the eight neighbours count too
- * @param color - colour of the picture where it shows the surface, else at the pixel itself
+ * @param fit - greatest accepted difference of depth, as a share of the slope
+ * @param nearby - whether to search the eight neighbours too
+ * @param color - the picture's colour at the pixel that shows the surface, else at the pixel itself
  * @param shown - FAROL_SHOWN if the pixel itself shows the surface, else 0
  */
 bool farol_edgeColor(
@@ -33,7 +33,7 @@ bool farol_edgeColor(
     for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
       ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
       vec2 off = vec2(at - pixel);
-      // of two pixels that fit the sample, the one nearer in depth
+      // of several pixels that fit the sample, takes the nearest in depth
       float apart = abs(texelFetch(farol_pictureDepth, at, 0).r - depth - dot(slope, off))
         + (FAROL_ROUNDING + 0.01 * slopes) * dot(off, off);
       if (apart < least) { least = apart; found = at; }

@@ -8,7 +8,7 @@ float farol_depth = 0.5 * farol_edgeZW.x / farol_edgeZW.y + 0.5;
 #endif
 float farol_fit = 0.005;
 #if defined( FAROL_VERTEX_NORMAL ) && ! defined( FLAT_SHADED )
-// round things look alike on both sides of an edge between two triangles
+// smooth normals look alike on both sides of an edge between two triangles: accepts a larger difference
 if (length(fwidth(vNormal)) > 1e-3) farol_fit = 0.2;
 #endif
 vec2 farol_slope = vec2(dFdx(farol_depth), dFdy(farol_depth));
@@ -18,7 +18,7 @@ bool farol_found = farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, farol_sl
 farol_keeps = farol_found || !farol_shades;
 farol_kept = vec4(farol_seen.rgb, farol_seen.a + farol_shown);
 if (!farol_keeps) {
-  // hidden by nearer surfaces in all neighbouring pixels: the fragment's colour does not matter
+  // hidden by nearer surfaces in all neighbouring pixels: its colour does not matter, and is not shaded
   farol_keeps = true;
   for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
     ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), ivec2(farol_frameSize) - 1);
@@ -31,8 +31,8 @@ if (!farol_keeps) {
   }
   farol_kept = farol_seen;
 }
-// shading takes derivatives, which are defined only while all four pixels of a quad branch alike; twice, for the
-// pixel across
+// shading uses derivatives, which are defined only if all four pixels of a quad branch alike; two steps reach the
+// diagonal pixel
 float farol_quadShades = farol_keeps ? 0.0 : 1.0;
 farol_quadShades += fwidth(farol_quadShades);
 farol_quadShades += fwidth(farol_quadShades);

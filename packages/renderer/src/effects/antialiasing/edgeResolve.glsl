@@ -1,8 +1,8 @@
-// The mean of a pixel's samples; the picture itself where it shows none of them, but a surface that was not drawn anew.
-// Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
+// Mean of a pixel's samples; the picture's colour where it shows none of their surfaces, but one that was not
+// redrawn. Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_samples; // multisampled surfaces at edges; alpha: + FAROL_SHOWN (edgeColor.glsl)
-uniform bool farol_whole; // whether all surfaces were drawn multisampled, not those at edges alone
+uniform bool farol_whole; // whether all surfaces were drawn multisampled, not only those at edges
 layout(location = 0) out highp vec4 farol_color;
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);

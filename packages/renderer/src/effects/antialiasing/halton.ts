@@ -2,7 +2,7 @@
  * The Halton low-discrepancy sequence.
  * @param index - from 1
  * @param base - a prime
- * @returns 0 to 1, both left out
+ * @returns above 0, below 1
  * @see Halton 1964, Algorithm 247: Radical-inverse quasi-random point sequence
  */
 export function halton(index: number, base: number): number {

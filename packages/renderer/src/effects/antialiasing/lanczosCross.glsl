@@ -1,4 +1,4 @@
-// Lanczos's kernel of three lobes in nine bilinear reads: the rows and columns next to the place, without corners.
+// Lanczos's kernel of three lobes in nine bilinear reads: the rows and columns around the place, without corners.
 // Duchon 1979, Lanczos Filtering in One and Two Dimensions
 //? farol_lanczos(0.0) == 1.0
 //? farol_lanczos(1.0) == 0.0
@@ -9,7 +9,7 @@ float farol_lanczos(const in float x) {
   return 3.0 * sin(a) * sin(a / 3.0) / (a * a);
 }
 
-// uv: 0 to 1 over the part of the image that is drawn to; drawn: its size (texels)
+// uv: 0 to 1 over the used part of the image; drawn: size of that part (texels)
 vec4 farol_lanczosCross(const in highp sampler2D image, const in vec2 uv, const in vec2 drawn) {
   vec2 size = vec2(textureSize(image, 0));
   vec2 place = uv * drawn;

@@ -9,8 +9,8 @@ type AnyMaterial = MeshStandardMaterial & { isShaderMaterial?: boolean };
 type MovingTexture = Texture & { isVideoTexture?: boolean };
 
 /**
- * Number that changes with the drawn materials: colours, opacity, roughness and the like, versions, textures. NaN,
- * which equals nothing, if a shader of the host's or a video may change by itself.
+ * Number that changes with the drawn materials: colours, opacity, roughness and the like, versions, textures. NaN, which never
+ * equals itself, if the host's own shader or a video may change at any time.
  */
 export function looksOf(queue: RenderQueue): number {
   return looksOfList(queue.opaque) + looksOfList(queue.transmissive) * 3 + looksOfList(queue.transparent) * 7;

@@ -14,9 +14,9 @@ const WRITE =
   'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), farol_before.w - farol_now.w, 1.0);\nif (true) return;';
 
 /**
- * Writes how far a surface has moved over the picture since the last frame, and how much farther it was. Two kinds of one program, to be used in turns:
- * three sends a material's uniforms only when the material changes.
- * @param uniforms - of motionVertexHeader.glsl
+ * Twins that write a surface's motion over the picture since the last frame, and its change of distance. Two kinds share one
+ * program, and draws alternate between them: three uploads a material's uniforms only when the material changes.
+ * @param uniforms - uniforms of motionVertexHeader.glsl
  */
 export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinKind, TwinKind] {
   const kind = (): TwinKind => ({
@@ -40,7 +40,7 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
   return [kind(), kind()];
 }
 
-/** True for draws whose motion the twins can show; others count as standing still. */
+/** True for draws whose motion the twins can draw; others count as still. */
 export function hasMotionTwin(item: RenderItem): boolean {
   const material = item.material as RenderItem['material'] & {
     isMeshBasicMaterial?: boolean;

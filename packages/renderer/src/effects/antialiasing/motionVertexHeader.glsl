@@ -1,4 +1,4 @@
-// Where a vertex was in the last frame: last matrices of the object, its bones, morphs and instances.
+// A vertex's position in the last frame, from the object's last matrices, bones, morphs and instances.
 // Karis 2014, High Quality Temporal Supersampling; three's vertex chunks
 // last frame's projection × view × world matrix, for a skinned mesh × inverse bind matrix
 uniform highp mat4 farol_clipBefore;

@@ -1,4 +1,4 @@
-// SMAA, first step: edges of luma and of alpha, without those that a stronger one beside them masks.
+// SMAA, first step: edges of luma and of alpha, without those next to a much stronger edge.
 // r: to the left pixel, g: to the one below.
 // Jimenez et al. 2012, SMAA: Enhanced Subpixel Morphological Antialiasing, 3.1 and 4.1; https://www.iryoku.com/smaa/
 #include "displayTransfer"

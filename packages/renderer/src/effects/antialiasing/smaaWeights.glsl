@@ -1,5 +1,5 @@
-// SMAA, second step: how much of its neighbour over each edge a pixel gets: the area between the edge and the line that
-// it stands for.
+// SMAA, second step: a pixel's blending weight across each edge: the area between the stepped edge and the line it
+// approximates.
 // Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here
 #include "frameSize"
 uniform highp sampler2D farol_edgeMap;
@@ -7,7 +7,8 @@ layout(location = 0) out highp vec4 farol_weights; // x, y: lower edge: own, nei
 
 const int FAROL_REACH = 32; // distance that an edge is followed to either side (pixels)
 
-// areas that a line from a to b (x along the edge, y off it) cuts off the pixel x to x + 1: own side, other side
+// areas between the edge and a line from a to b (x along the edge, y across) in the pixel x to x + 1: own side, other
+// side
 vec2 farol_areaUnder(const in vec2 a, const in vec2 b, const in float x) {
   if (x + 1.0 <= a.x || x >= b.x) return vec2(0.0);
   float slope = (b.y - a.y) / (b.x - a.x);
@@ -25,7 +26,8 @@ vec2 farol_areaUnder(const in vec2 a, const in vec2 b, const in float x) {
   return vec2(max(triangles.x, triangles.y), max(-triangles.x, -triangles.y));
 }
 
-// lengths of the edge to either side of the pixel; ends: 1 it turns to the own side, -1 to the other, 0 neither, 2 both
+// lengths of the edge to either side of the pixel; first, last: turn of each end, 1 to the own side, -1 to the other,
+// 0 neither, 2 both
 vec2 farol_edgeArea(const in float before, const in float after, const in float first, const in float last) {
   float d = before + after + 1.0;
   float start = first == 2.0 ? (last == 2.0 ? 0.0 : -last) : first;
@@ -55,7 +57,7 @@ bool farol_isEdge(const in ivec2 pixel, const in int along) {
 // Direction in which an edge turns at its end: 1 to its own side, -1 to the other, 2 both, 0 neither.
 // Slanted lines: the edge continues on the next row for the given number of pixels at least. Corners, ends of thin
 // lines and crossings do not, and are not smoothed: thin lines would fade there.
-// own, other: whether a crossing edge leaves to that side; outside: the pixel beyond the end, on the own side
+// own, other: whether a crossing edge goes to that side; outside: the pixel beyond the end, on the own side
 float farol_turn(const in bool own, const in bool other, const in ivec2 outside, const in ivec2 over,
   const in ivec2 outwards, const in int along, const in int pixels) {
   bool ownStep = own;
@@ -73,7 +75,7 @@ vec2 farol_edgeWeights(const in ivec2 pixel, const in int along) {
   ivec2 over = along == 0 ? ivec2(0, -1) : ivec2(-1, 0);
   int before = 0;
   int after = 0;
-  bvec2 first = bvec2(false); // whether an edge across leaves to the own side, to the other
+  bvec2 first = bvec2(false); // whether crossing edges go to the own side, to the other
   bvec2 last = bvec2(false);
   for (; before <= FAROL_REACH; before++) {
     ivec2 at = pixel - before * step;

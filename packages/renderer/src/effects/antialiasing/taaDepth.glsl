@@ -3,11 +3,11 @@
 #include "frameSize"
 #include "storedDistance"
 uniform highp sampler2D farol_pictureDepth;
-// surfaces whose depth is shifted (polygonOffset), oblique or coarse: their distances, and depth as drawn with them
+// distances of surfaces whose depth is shifted (polygonOffset), oblique or coarse, and the depth drawn with them
 uniform highp sampler2D farol_distances;
 uniform highp sampler2D farol_distanceDepth;
 uniform highp int farol_distancesStored; // kind of stored distances: 0 none, 1 perspective, 2 orthographic
-// xy: motion (1: picture width, height); z: change of distance (m); w: 1 where objects move
+// xy: motion (in picture widths, heights); z: change of distance (m); w: 1 where objects move
 uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // transform of this frame's normalised device coordinates to last frame's
 uniform highp vec2 farol_jitter; // this frame's subpixel offset of the projection (normalised device coordinates)
@@ -19,7 +19,8 @@ ivec2 farol_inPicture(const in ivec2 pixel) {
   return clamp(pixel, ivec2(0), ivec2(farol_frameSize) - 1);
 }
 
-// normalised device z of a stored depth; reversed depth is that z itself, logarithmic depth gives clip w
+// normalised device z of a depth-buffer value, which for reversed depth is that z, and for logarithmic depth gives
+// clip w
 float farol_deviceZ(const in float depth) {
   if (farol_depthKind.y > 0.0) {
     float z = 1.0 - exp2(depth * farol_depthKind.y);
@@ -28,7 +29,7 @@ float farol_deviceZ(const in float depth) {
   return farol_depthKind.x > 0.5 ? depth : depth * 2.0 - 1.0;
 }
 
-// stored distance of a pixel's surface (m), for surfaces with a depth of their own; 0 when none is stored
+// stored distance of a pixel's surface (m); 0 when none is stored
 float farol_storedAt(const in ivec2 pixel, const in float depth) {
   if (farol_distancesStored == 0 || abs(texelFetch(farol_distanceDepth, pixel, 0).r - depth) > 1e-5) return 0.0;
   float away = farol_unpackDistance(texelFetch(farol_distances, pixel, 0).rg, farol_distancesStored == 2);
@@ -54,7 +55,7 @@ float farol_distanceAt(const in ivec2 pixel) {
   return farol_distanceOf(farol_deviceZ(depth));
 }
 
-// xy: motion since the last frame of the surface in a sample (1: picture width, height); z: its distance then (m)
+// xy: motion of a sample's surface since the last frame (in picture widths, heights); z: its distance then (m)
 vec3 farol_wayOf(const in ivec2 pixel, const in float away) {
   if (farol_hasMotion) {
     vec4 motion = texelFetch(farol_motionMap, pixel, 0);
@@ -67,7 +68,7 @@ vec3 farol_wayOf(const in ivec2 pixel, const in float away) {
   return vec3(0.5 * (now - before.xy / before.w), farol_distanceOf(before.z / before.w));
 }
 
-// motion that the camera alone gives a place (0 to 1) at a distance (m); 1: picture width, height
+// motion (in picture widths, heights) of a still point at uv and distance (m), due to the camera
 vec2 farol_wayAt(const in vec2 place, const in float away) {
   vec2 now = place * 2.0 - 1.0;
   vec4 before = farol_reproject * vec4(now, farol_deviceZAt(away), 1.0);

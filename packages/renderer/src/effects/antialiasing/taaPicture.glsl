@@ -1,4 +1,4 @@
-// The picture from a history of several cells a pixel: one bilinear read between a pixel's cells is their mean.
+// Averages the history's cells of each pixel, by one bilinear read between them.
 // Yang et al. 2009, Amortized Supersampling
 uniform highp sampler2D farol_history; // accumulated colours of the last frame, filtered linearly
 uniform int farol_cells; // history cells along a pixel's side: 1 or 2

@@ -15,11 +15,11 @@ uniform highp vec4 farol_weights; // weight of this frame's sample in each cell 
 uniform bool farol_encoded;
 uniform bool farol_hasPast;
 uniform highp vec2 farol_share; // share of a new sample of weight 1: x in moving pixels, y in still ones
-uniform float farol_gamma; // standard deviations to which history is clipped; 0: not at all, nothing has changed
-// 0: light has changed; 1: it may have; 2: it has not; 3: nor has the camera, nor was a still object taken away;
-// 4: as 3, but the camera has moved
+uniform float farol_gamma; // standard deviations to which history is clipped; 0: no clipping, in a still picture
+// 0: lights have changed; 1: may have changed; 2: have not; 3: nor has the camera, nor did an object appear or
+// vanish; 4: as 3, but the camera has moved
 uniform int farol_belief;
-// least share of the new sample, 0 to 1, where history is unreliable: in this frame, in the last
+// reactive masks of this and the last frame: least share of the new sample, 0 to 1, where history is unreliable
 uniform highp sampler2D farol_reactive;
 uniform highp sampler2D farol_reactiveBefore;
 uniform highp ivec2 farol_isReactive; // x, y: 1 if the textures farol_reactive and farol_reactiveBefore are bound
@@ -27,12 +27,12 @@ layout(location = 0) out highp vec4 farol_color;
 
 /** Ratio of two distances above which they belong to different surfaces. */
 const float FAROL_APART = 1.08;
-/** Motion of foreground over background (pixels a frame) from which on history beside the edge is doubted. */
+/** Motion of foreground over background (pixels a frame) from which on history at the edge is doubted. */
 const float FAROL_PASSES = 0.3;
-/** Parallax (pixels a frame) up to which a thin foreground that no sample hit is taken to be there still. */
+/** Parallax (pixels a frame) up to which a thin foreground that no sample hits counts as still present. */
 const float FAROL_ALONG = 0.2;
 
-// maximum over 3 × 3 pixels: the jitter may have put a neighbour in this place
+// maximum over 3 × 3 pixels, since jitter may have shifted a neighbour here
 float farol_reactiveAt(const in highp sampler2D mask, const in ivec2 pixel) {
   float most = 0.0;
   for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++)
@@ -71,13 +71,13 @@ vec4 farol_likeNow(const in vec4 past, const in ivec2 pixel, const in float gamm
   return farol_fromYCoCg(mean + off / max(max(max(ratio.x, ratio.y), max(ratio.z, ratio.w)), 1.0));
 }
 
-// history moved half way to the nearest mixture of two colours, since an edge between them shows only mixtures
+// history moved half way to the nearest mixture of two colours, since an edge between them can only show mixtures
 vec4 farol_between(const in vec4 past, const in vec4 one, const in vec4 other) {
   vec4 way = other - one;
   return mix(past, one + way * clamp(dot(past - one, way) / max(dot(way, way), 1e-6), 0.0, 1.0), 0.5);
 }
 
-// the sample nearest to a place (in samples), of 3 × 3 round a pixel, whose distance is up to `farthest` (m)
+// of the 3 × 3 samples around a pixel with a distance up to farthest (m), the nearest to place (in samples)
 ivec2 farol_foreground(const in ivec2 pixel, const in vec2 place, const in float farthest, const in ivec2 otherwise) {
   ivec2 found = otherwise;
   float least = 1e9;
@@ -94,7 +94,7 @@ ivec2 pixel = cell / farol_cells;
 ivec2 part = cell - pixel * farol_cells;
 vec2 size = farol_frameSize;
 vec2 place = gl_FragCoord.xy / float(farol_cells);
-// samples lie off the middle of pixels by the jitter
+// jitter shifts samples from the middle of pixels
 vec2 inSamples = place - 0.5 + 0.5 * farol_jitter * size;
 ivec2 own = farol_inPicture(ivec2(floor(inSamples + 0.5)));
 float weight = farol_weights[part.y * farol_cells + part.x];
@@ -107,7 +107,7 @@ else if (farol_hasPast) {
   float split = 2.0 * nearest * reach.y / (nearest + reach.y);
   float away = farol_distanceAt(own);
   ivec2 shown = own;
-  // beside an edge the past moves with the foreground, which covers part of it
+  // next to an edge, history follows the motion of the foreground, which covers part of the cell
   if (edge && away > split) shown = farol_foreground(pixel, inSamples, split, own);
   bool beside = shown != own;
   vec3 ownWay = farol_wayOf(own, away);
@@ -124,7 +124,7 @@ else if (farol_hasPast) {
     float expected = nearest * way.z / shownDistance;
     bool same = abs(abs(before) - expected) < (FAROL_APART - 1.0) * expected;
     bool stays = farol_belief == 3 && still && reach.x > 0.0 && (same || before > 0.0);
-    // samples may have missed what is thinner than their spacing
+    // samples may have missed a foreground thinner than their spacing
     bool missed = farol_belief > 2 && !same && reach.x > 0.0 && before > 0.0 && before < expected
       && length((farol_wayAt(place / size, before) - way.xy) * size) < FAROL_ALONG;
     bool believed = stays || missed || (farol_belief > 0 && edge && same);
@@ -142,7 +142,7 @@ else if (farol_hasPast) {
       if (passes > 0.3 * FAROL_PASSES) share = max(share, farol_share.x * pow(weight, 0.7));
     }
     share = max(share, reactive);
-    // a bright point that comes and goes counts less (Karis); light that the display can show counts whole
+    // weights bright, flickering samples less (Karis); colours within the display's range keep full weight
     float ofNew = share / max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
     float ofOld = (1.0 - share) / max(1.0, max(past.r, max(past.g, past.b)));
     farol_color = (farol_color * ofNew + past * ofOld) / max(ofNew + ofOld, 1e-6);

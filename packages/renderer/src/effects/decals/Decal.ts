@@ -11,7 +11,7 @@ import {
 } from 'three';
 import { DecalGeometry } from 'three/addons/geometries/DecalGeometry.js';
 
-/** Geometry and material that three draws for a decal: nothing visible; Farol projects it. */
+/** Material that three draws a decal with: nothing visible; Farol projects the decal. */
 const nothing = new RawShaderMaterial({
   name: 'Farol decal',
   depthTest: false,
@@ -23,9 +23,9 @@ nothing.allowOverride = false;
 const box = new BoxGeometry();
 
 /**
- * A picture that is put on whatever surface lies in its box: a unit cube round the object's origin, sized by `scale` (m). As
- * three's DecalGeometry has it, the picture lies in the box's x and y and is thrown along z, seen from +z. Overlapping
- * decals are drawn by `renderOrder`. Without the effect `Decals` nothing of it is seen.
+ * Picture projected on the surfaces in a box: a unit cube around the object's origin, sized by `scale` (m). As in three's
+ * DecalGeometry, the picture spans the box's x and y and is projected along z, seen from +z. Overlapping decals are drawn
+ * by `renderOrder`. Without the effect `Decals` it is invisible.
  *
  * @example
  * const decal = new Decal(new MeshStandardMaterial({ map, normalMap, roughness: 0.4 }));
@@ -36,15 +36,14 @@ const box = new BoxGeometry();
  */
 export class Decal extends Mesh {
   readonly isDecal = true;
-  /** Largest angle (rad) of a surface's normal to the box's z axis, 0 to π. Default π/2: what faces away is left out. */
+  /** Largest angle (rad) of a surface's normal to the box's z axis, 0 to π. Default π/2: not on surfaces that face away. */
   maximumAngle = Math.PI / 2;
 
   /**
-   * @param surface - what it is made of: `color`, `opacity`, `map` (its alpha is coverage), `normalMap`, `normalScale`,
-   *   `roughness`, `metalness` and `blending` count; it stays the host's. NormalBlending covers the surface.
-   *   AdditiveBlending, SubtractiveBlending and MultiplyBlending change its colour alone, as three's factors for
-   *   premultiplied alpha have it, and leave it its roughness and metalness; a `normalMap` bends it all the same. Other
-   *   blendings count as NormalBlending
+   * @param surface - material of the decal, which the host owns: reads `color`, `opacity`, `map` (its alpha is coverage),
+   *   `normalMap`, `normalScale`, `roughness`, `metalness` and `blending`. NormalBlending covers the surface below.
+   *   AdditiveBlending, SubtractiveBlending and MultiplyBlending change only the surface's colour, by three's factors for
+   *   premultiplied alpha, and its normal by a `normalMap`, not roughness and metalness. Other blendings count as NormalBlending
    */
   constructor(public surface: MeshStandardMaterial = new MeshStandardMaterial()) {
     super(box, nothing);
@@ -52,10 +51,10 @@ export class Decal extends Mesh {
   }
 
   /**
-   * Copy of the decal as a mesh, cut from another mesh by three's DecalGeometry, for techniques without a G-buffer: add
-   * it to the scene in place of the decal. Right as long as neither moves; its geometry and material are the caller's
-   * to dispose. Where it blends otherwise than NormalBlending, it does so with the lit colour of what is behind it.
-   * @param mesh - that the decal lies on; matrices are brought up to date
+   * Copy of the decal as a mesh, cut from another mesh by three's DecalGeometry, for techniques without a G-buffer: add it to
+   * the scene in place of the decal. Valid while neither moves; the caller disposes its geometry and material. Blendings other
+   * than NormalBlending blend with the lit colour of the surface.
+   * @param mesh - mesh that the decal lies on; its matrices are updated
    */
   toMesh(mesh: Mesh): Mesh<DecalGeometry, MeshStandardMaterial> {
     this.updateWorldMatrix(true, false);

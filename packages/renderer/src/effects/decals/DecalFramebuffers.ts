@@ -5,17 +5,17 @@ import type { GBuffer } from '../../gbuffer/GBuffer';
 import { textureHandle } from '../../three/handles';
 import { bindFramebuffer } from '../../three/state';
 
-/** Framebuffers over a G-buffer's attachments without its depth, so that depth may be read while they are drawn to. */
+/** Framebuffers with a G-buffer's attachments but not its depth, so that shaders may read depth while drawing to them. */
 export class DecalFramebuffers {
   private attached: WebGLTexture[] = [];
   private framebuffers: WebGLFramebuffer[] = [];
   private gl: WebGL2RenderingContext | null = null;
 
-  /** Updates the framebuffers to the present G-buffer. */
+  /** Updates the framebuffers to the frame's G-buffer. */
   follow(frame: Frame, gbuffer: GBuffer): void {
     const { gl, webgl } = frame;
     const handle = (texture: Texture) => textureHandle(webgl, texture)!;
-    // attachments that effects add to the G-buffer hold light
+    // further attachments, added to the G-buffer by effects, hold light
     const light = [gbuffer.emissive, ...gbuffer.target.textures.slice(gbufferLayout.length)];
     const groups = [light.map(handle), [gbuffer.albedo, gbuffer.normal, gbuffer.material].map(handle)];
     const all = groups.flat();
@@ -46,7 +46,7 @@ export class DecalFramebuffers {
 
   dispose(): void {
     for (const framebuffer of this.framebuffers) {
-      // a lost context has taken its framebuffers along
+      // framebuffers of a lost context are gone
       if (this.gl?.isFramebuffer(framebuffer)) this.gl.deleteFramebuffer(framebuffer);
     }
     this.framebuffers = [];

@@ -36,19 +36,18 @@ import decalGBuffer from './decalGBuffer.glsl?raw';
 import decalSurface from './decalSurface.glsl?raw';
 import { SurfaceCopies } from './SurfaceCopies';
 
-/** Normal scale that tells the shader that there is no normal map. */
+/** Normal scale by which the shader recognises that there is no normal map. */
 const NO_NORMAL_MAP = 1e9;
 const BLENDINGS: readonly Blending[] = [AdditiveBlending, SubtractiveBlending, MultiplyBlending];
 const colour = new Color();
 
 /**
- * Puts the scene's decals (objects of class `Decal`) on the surfaces in their boxes, in the G-buffer and before any light: so
- * all lights shade them with the surface, and a decal costs the pixels of its box, whatever the number of lights.
- *
- * With `deferred`, `tiled-deferred` and `clustered-deferred`, on opaque surfaces that the G-buffer holds. Other techniques
- * have no surfaces to write to: there decals are not seen, and a warning says so; `Decal.toMesh` gives meshes for those.
- * Another blending than NormalBlending is of the surface's colour, before it is lit.
- * Indirect light is taken from the surface's own by the ratio of colours, so a surface that is quite black has none to give.
+ * Draws the scene's decals (objects of class `Decal`) on the surfaces in their boxes, into the G-buffer, before lighting: all
+ * lights shade them with the surface, and a decal's cost depends on its box's pixels, not on the number of lights. Works with
+ * `deferred`, `tiled-deferred` and `clustered-deferred`, on opaque surfaces that the G-buffer holds. Other techniques have no
+ * G-buffer: decals are then invisible, with a warning; `Decal.toMesh` makes meshes for them. Blendings other than NormalBlending
+ * act on the surface's colour before lighting. Indirect light is the surface's own, scaled by the ratio of colours, so a decal
+ * on a fully black surface gets none.
  * @see Persson 2011, Volume Decals (GPU Pro 2)
  */
 export class Decals implements FarolEffect {
@@ -129,7 +128,7 @@ export class Decals implements FarolEffect {
     copies.copy(frame, gbuffer);
     this.materials ??= this.makeMaterials(frame);
     this.framebuffers.follow(frame, gbuffer);
-    frame.bind(gbuffer.target); // sets the viewport of the G-buffer
+    frame.bind(gbuffer.target); // binds the G-buffer again, which also sets its viewport
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_frameSize.value.set(frame.width, frame.height);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;
@@ -183,7 +182,7 @@ export class Decals implements FarolEffect {
     light.blendDst = SrcColorFactor;
     surfaces.blendSrc = SrcAlphaFactor;
     surfaces.blendDst = OneMinusSrcAlphaFactor;
-    // the alpha channels hold other data, and are kept
+    // the alpha channels hold other data, and are not blended
     for (const one of [light, surfaces]) {
       one.blendSrcAlpha = ZeroFactor;
       one.blendDstAlpha = OneFactor;

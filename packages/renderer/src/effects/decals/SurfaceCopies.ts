@@ -15,7 +15,7 @@ export class SurfaceCopies {
   private gbuffer!: WebGLRenderTarget;
   private normals!: WebGLRenderTarget;
   private albedos!: WebGLRenderTarget;
-  /** Rectangles of pixels written since `take`: x, y, width, height of each decal's box. */
+  /** Rectangles of pixels written since `copy`: x, y, width, height of each decal's box. */
   private readonly written: Vector4[] = [];
   private boxes = 0;
 
@@ -41,7 +41,7 @@ export class SurfaceCopies {
     this.albedos = this.albedoTarget.of(width, height);
     this.boxes = 0;
     const whole = this.rectangle(0).set(0, 0, width, height);
-    frame.bind(this.normals); // makes the textures of the target, which the copy needs
+    frame.bind(this.normals); // allocates the target's textures, which the copy needs
     copyAttachment(frame, target, 1, this.normals, whole);
     frame.bind(this.albedos);
     copyAttachment(frame, target, 2, this.albedos, whole);
@@ -49,7 +49,7 @@ export class SurfaceCopies {
 
   /**
    * Updates the albedo where the next decal may overlap earlier ones. May leave another framebuffer bound.
-   * @param modelView - transform from the decal's box to view space
+   * @param modelView - transform from the decal's box to view space (m)
    */
   follow(frame: Frame, modelView: Matrix4): void {
     const rectangle = this.rectangle(this.boxes);

@@ -3,8 +3,8 @@ import { type Matrix4, Vector4 } from 'three';
 const corner = new Vector4();
 
 /**
- * Rectangle of pixels that a unit cube round the origin may cover: x, y, width, height, whole numbers. The whole
- * picture if the cube reaches behind the camera.
+ * Rectangle of pixels that a unit cube around the origin may cover: x, y, width, height, whole numbers. The whole picture if the
+ * cube reaches behind the camera.
  * @param modelView - transform from the cube to view space (m)
  */
 export function boxRectangle(

@@ -1,14 +1,14 @@
-// Multiplies a surface's indirect light by the ratio of its albedo with the decal to that without.
+// Multiplies a surface's indirect light by its albedo with the decal over that without.
 // Farol
 #include "decalSurface"
-uniform lowp sampler2D farol_surfaceMaterial; // G-buffer's material; y: metalness of a MeshStandardMaterial
-uniform bool farol_environment; // whether the scene has an environment; metal reflects it and scatters no ambient light
+uniform lowp sampler2D farol_surfaceMaterial; // G-buffer's material attachment; y: metalness of a MeshStandardMaterial
+uniform bool farol_environment; // whether an environment map lights the scene: metal reflects only it
 layout(location = 0) out highp vec4 farol_accumulation;
 layout(location = 1) out highp vec4 farol_indirect;
 //# main
 FarolDecal decal;
 if (!farol_findDecal(ivec2(gl_FragCoord.xy), decal)) discard;
-// smallest albedo above 0 that the 8-bit square root holds; below it, black
+// ratio of albedos; divides by at least the smallest albedo above 0 that the 8-bit square root can hold
 vec3 before = decal.albedo;
 vec3 after = decal.blended;
 if (farol_decalBlending == 1 && !farol_environment && farol_shadingModel(decal.flags) == FAROL_STANDARD) {

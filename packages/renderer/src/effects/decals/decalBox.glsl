@@ -1,4 +1,4 @@
-// The box of a decal, its inside: drawn once a pixel also with the camera in it.
+// Inner faces of a decal's box, so that each pixel is drawn once even with the camera in the box.
 // Farol
 in vec3 position;
 uniform mat4 modelViewMatrix;

@@ -22,6 +22,6 @@ if (farol_decalValues.z < 1e8) {
   normal = normalize(mix(decal.normal, normal, decal.opacity));
   farol_normal = vec4(farol_roundToHalf(farol_encodeNormal(normal)), texelFetch(farol_surfaceNormal, pixel, 0).z, 1.0);
 }
-// standard surfaces alone have a roughness; 0.2: square root of the usual reflectance at normal incidence
+// only standard surfaces have a roughness; 0.2: square root of the usual reflectance at normal incidence
 bool covers = farol_decalBlending == 1 && farol_shadingModel(decal.flags) == FAROL_STANDARD;
 farol_material = covers ? vec4(farol_decalValues.xy, 0.2, decal.opacity) : vec4(0.0);

@@ -1,5 +1,5 @@
-// A decal at the surface of a pixel: its colour and opacity there, and the surface without it.
-// Krishnan 2012 / Persson, Volume Decals (GPU Pro 2, 2011); gradients from neighbours of the same surface: Wronski 2015
+// A decal at a pixel's surface: its colour and opacity there, and the surface below. Krishnan 2012 / Persson, Volume
+// Decals (GPU Pro 2, 2011); gradients from neighbours of the same surface: Wronski 2015
 #include "frameSize"
 #include "unproject"
 #include "octahedralNormal"
@@ -7,7 +7,7 @@
 #include "surfaceFlags"
 uniform highp sampler2D farol_surfaceDepth;
 uniform highp sampler2D farol_surfaceNormal; // G-buffer; xy: normal (octahedral, view space); zw: stored distance
-uniform highp int farol_surfaceStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
+uniform highp int farol_surfaceStored; // stored distances: 0 none, 1 perspective, 2 orthographic
 uniform lowp sampler2D farol_surfaceAlbedo; // rgb: square root of the albedo; a: flags / 255
 uniform sampler2D farol_decalMap;
 uniform sampler2D farol_decalNormalMap;
@@ -16,7 +16,7 @@ uniform highp mat4 modelViewMatrix;
 uniform vec4 farol_decalColor; // the decal's linear colour, and opacity, 0 to 1
 uniform mat3 farol_decalMapTransform;
 uniform mat3 farol_decalNormalMapTransform;
-uniform vec4 farol_decalValues; // roughness, metalness, normal scale x, y; scale x above 1e8: no normal map
+uniform vec4 farol_decalValues; // x: roughness; y: metalness; zw: normal scale, z above 1e8: no normal map
 uniform int farol_decalBlending; // three's blending constant: 1 normal, 2 additive, 3 subtractive, 4 multiply
 uniform float farol_decalFacing; // cosine of the largest angle between surface normal and decal axis
 
@@ -54,7 +54,7 @@ vec3 farol_blend(const in vec3 below, const in vec3 color, const in float opacit
   return color + below * (1.0 - opacity);
 }
 
-// false where the decal does not reach
+// false outside of the decal's box, where it faces away, or where it is transparent
 bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
   if (farol_isEmpty(texelFetch(farol_surfaceDepth, pixel, 0).r)) return false;
   vec3 place = farol_inDecal(pixel);

@@ -6,26 +6,26 @@ import type { TwinKind } from '../../materials/TwinKind';
 import { ProbeGrid } from './ProbeGrid';
 import { probedTwin } from './probedTwin';
 
-/** Light of a scene that was baked, besides its lightmaps. */
+/** Baked light of a scene, besides its lightmaps. */
 export interface BakedSurroundings {
   /** Probes that light materials without a lightmap; null for none. */
   readonly grid: ProbeGrid | null;
   /**
-   * Whether the light of the scene's environment is in lightmaps and probes: diffuse reflection of the environment is then
-   * left out, mirrors show it as before.
+   * Whether lightmaps and probes contain the scene's environment light: its diffuse reflection is then left out, while mirrors
+   * still show it.
    */
   readonly hasSky: boolean;
 }
 
 const surroundings = new WeakMap<object, BakedSurroundings>();
 
-/** Gives a scene light that was baked, or takes it away: see {@link LightProbes}. Textures stay the host's. */
+/** Sets or removes (null) a scene's baked light, see {@link LightProbes}. The host still owns the textures. */
 export function setBakedSurroundings(scene: Scene, baked: BakedSurroundings | null): void {
   if (baked === null) surroundings.delete(scene);
   else surroundings.set(scene, baked);
 }
 
-/** Light of a scene that was baked, besides its lightmaps; null for none. */
+/** Baked light of a scene, besides its lightmaps; null for none. */
 export function bakedSurroundingsOf(scene: Scene): BakedSurroundings | null {
   return surroundings.get(scene) ?? null;
 }
@@ -39,8 +39,9 @@ function noProbes(): Data3DTexture {
 }
 
 /**
- * Lights what moves by a grid of light probes that was baked: each lit material without a `lightMap`, in every technique.
- * Light is interpolated pixel by pixel; beyond the box it is that of its faces. It counts as ambient light.
+ * Lights moving objects by a baked grid of light probes: each lit material without a `lightMap`, in every technique.
+ * Light is interpolated at each pixel; outside of the grid's box it is that of the nearest face. It counts as ambient
+ * light.
  *
  * @example
  * setBakedSurroundings(scene, { grid: new ProbeGrid(box, coefficients), hasSky: false });

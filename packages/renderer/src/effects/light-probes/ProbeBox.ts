@@ -1,16 +1,16 @@
-/** Box of a probe grid (world space): cut into equal cells, with a probe in the middle of each. */
+/** Box of a probe grid (world space), divided into equal cells with a probe in the middle of each. */
 export interface ProbeBox {
   /** Corners of the box (m). */
   readonly min: readonly [number, number, number];
   readonly max: readonly [number, number, number];
-  /** Cells along x, y and z, each 1 at least. */
+  /** Number of cells along x, y and z, each at least 1. */
   readonly counts: readonly [number, number, number];
 }
 
 /** Number of probes of a grid. */
 export const probeCount = ({ counts }: ProbeBox): number => counts[0] * counts[1] * counts[2];
 
-/** Places of the probes of a grid, three numbers each (m), x fastest and z slowest. */
+/** Positions of a grid's probes (m), three numbers each, x varies fastest, z slowest. */
 export function probePoints(box: ProbeBox): Float32Array<ArrayBuffer> {
   const { min, max, counts } = box;
   const points = new Float32Array(3 * probeCount(box));

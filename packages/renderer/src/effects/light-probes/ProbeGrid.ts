@@ -1,14 +1,14 @@
 import { Data3DTexture, DataUtils, HalfFloatType, LinearFilter, RGBAFormat, Vector3 } from 'three';
 import { type ProbeBox, probeCount } from './ProbeBox';
 
-/** Numbers of a probe: nine coefficients each of red, green and blue, in the order of three's SphericalHarmonics3. */
+/** Count of a probe's numbers: nine coefficients each of red, green and blue, in the order of three's SphericalHarmonics3. */
 export const PROBE_NUMBERS = 27;
-/** Texels of the 3D texture for a probe's 27 numbers. */
+/** Number of the 3D texture's texels for a probe's 27 numbers. */
 const TEXELS = 7;
 
 /**
- * Light that arrives at the middles of the cells of a box, as spherical harmonics of second order, in one half-float 3D
- * texture: seven volumes upon each other along z, each with a slice more at either end, so that filtering stays in it.
+ * Light at the middles of a box's cells, as spherical harmonics of second order, in one half-float 3D texture: seven volumes
+ * stacked along z, each with an extra slice at either end, so that filtering does not mix volumes.
  */
 export class ProbeGrid {
   readonly texture: Data3DTexture;
@@ -17,8 +17,8 @@ export class ProbeGrid {
   readonly counts = new Vector3();
 
   /**
-   * @param coefficients - 27 a probe, of radiance, in the order of `probePoints`
-   * @throws RangeError when there are more or fewer than the box has probes for
+   * @param coefficients - coefficients of radiance, 27 a probe, in the order of `probePoints`
+   * @throws RangeError when their number does not match the box's probes
    */
   constructor(
     readonly box: ProbeBox,

@@ -9,7 +9,7 @@ vec3 farol_probeIrradiance(const in vec3 positionVS, const in vec3 normalVS) {
   vec3 position = ((vec4(positionVS, 1.0) - viewMatrix[3]) * viewMatrix).xyz;
   vec3 n = (vec4(normalVS, 0.0) * viewMatrix).xyz;
   vec3 size = farol_probesMax - farol_probesMin;
-  // half a cell off the surface: light does not come from behind a wall
+  // sampled half a cell off the surface, so that light from behind a wall does not leak
   vec3 at = (position + n * (0.5 * size / farol_probeCounts) - farol_probesMin) / size;
   at = clamp(at, 0.5 / farol_probeCounts, 1.0 - 0.5 / farol_probeCounts);
   float slices = farol_probeCounts.z + 2.0;

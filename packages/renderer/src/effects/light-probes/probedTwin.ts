@@ -10,7 +10,7 @@ const MAIN = /\bvoid\s+main\s*\(/;
 const beforeMain = (shader: string, declarations: string): string =>
   shader.replace(MAIN, (main) => `${declarations}\n${main}`);
 
-/** `irradiance` and `iblIrradiance` are those of three's lights_fragment_begin. */
+/** GLSL that adds the probes' light; `irradiance` and `iblIrradiance` are variables of three's lights_fragment_begin. */
 const ADD = `#if defined( RE_IndirectDiffuse )
 #ifndef USE_LIGHTMAP
 irradiance += farol_probeIrradiance(geometryPosition, geometryNormal);
@@ -20,7 +20,7 @@ iblIrradiance *= farol_environmentShare;
 
 /**
  * Twin kind of lit materials that adds the light of probes to those without a lightmap.
- * @param uniforms - of probeIrradiance.glsl
+ * @param uniforms - uniforms of probeIrradiance.glsl
  */
 export function probedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
   return {

@@ -2,10 +2,10 @@ import type { ParticleSettings } from './ParticleSettings';
 
 /** Longest step of the particle simulation (s); longer times are split. */
 export const LONGEST_STEP = 1 / 30;
-/** Times of emission that differ by less count as equal (s). */
+/** Difference (s) below which times of emission count as equal. */
 const CLOSE = 1e-9;
 
-/** One step of the simulation, at most `LONGEST_STEP` long, with the particles that begin in it. */
+/** One step of the simulation, at most `LONGEST_STEP` long, and the particles that begin in it. */
 export interface SimulationStep {
   /** Duration of the simulation step (s). */
   seconds: number;
@@ -24,17 +24,17 @@ export interface SimulationStep {
 type Emission = Pick<ParticleSettings, 'capacity' | 'rate' | 'bursts' | 'delay' | 'duration' | 'loop' | 'life'>;
 
 /**
- * Schedule of the particles' beginnings: the emitter's clock, without a GPU. Particles are numbered; one lies in slot
- * number % capacity.
+ * Schedule of the particles' beginnings: the emitter's clock, on the CPU. Particles are numbered; particle n has the slot n %
+ * capacity.
  */
 export class EmissionSchedule {
   /** Time since the emitter's last restart (s). */
   time = 0;
   /** Number of particles emitted since the last restart. */
   begun = 0;
-  /** Number of the first particle that may still live: all before it have ended. */
+  /** Number of the first particle that may still live; all earlier ones have ended. */
   oldest = 0;
-  /** Whether particles could not begin since the restart, because `capacity` was reached. */
+  /** Whether, since the restart, particles could not begin because `capacity` was reached. */
   wasFull = false;
   /** Whether the emitter has emitted its last particle. */
   isOver = false;
@@ -69,9 +69,9 @@ export class EmissionSchedule {
   }
 
   /**
-   * Advances the time in one or several steps: none is longer than LONGEST_STEP, and bursts lie between steps.
+   * Advances the time in one or several steps, none longer than LONGEST_STEP, with bursts between steps.
    * @param emits - whether particles begin
-   * @param take - gets each step; the object is reused
+   * @param take - called with each step; the object is reused
    */
   advance(seconds: number, settings: Emission, emits: boolean, take: (step: SimulationStep) => void): void {
     this.follow(settings);
@@ -86,11 +86,11 @@ export class EmissionSchedule {
     }
   }
 
-  /** Adopts new bursts; those whose time is past are skipped. */
+  /** Adopts changed bursts; skips those whose time has passed. */
   private follow({ bursts, delay }: Emission): void {
     if (bursts === this.bursts) return;
     const isFirst = this.bursts === null;
-    // until the delay is over, the time in the cycle is below 0
+    // the time in the cycle is below 0 until the delay is over
     if (isFirst) this.cycle = -delay;
     this.bursts = bursts;
     this.sorted = bursts.toSorted((a, b) => a.time - b.time);
@@ -98,7 +98,7 @@ export class EmissionSchedule {
     this.nextBurst = next < 0 ? this.sorted.length : next;
   }
 
-  /** Time until the next burst, or the end of the cycle (s), above 0. */
+  /** Time (s) until the next burst or the end of the cycle, above 0. */
   private untilEvent({ duration, loop }: Emission): number {
     const { sorted } = this;
     if (duration > 0 && this.cycle >= duration - CLOSE) {

@@ -31,14 +31,14 @@ const nothing = new RawShaderMaterial({
 });
 nothing.allowOverride = false;
 
-/** Maximum number of lights of an emitter: those of a LightField. */
+/** Maximum number of lights of an emitter, as of a LightField. */
 const MOST_LIGHTS = 2 ** 18;
 /** Texture of one light without a range, which lights nothing. */
 const DARK = new DataTexture(new Float32Array(4), 1, 1, undefined, FloatType);
 DARK.needsUpdate = true;
 const NO_LIGHTS: LightTextures = { sphere: DARK, emission: DARK };
 
-/** Actions after a setting has changed; settings that are not listed are read each frame. */
+/** Actions on changes of settings; settings not listed are read each frame. */
 const CONSEQUENCES: { readonly [Name in keyof ParticleSettings]?: (emitter: ParticleEmitter) => void } = {
   capacity(emitter) {
     emitter.restart();
@@ -54,18 +54,17 @@ const CONSEQUENCES: { readonly [Name in keyof ParticleSettings]?: (emitter: Part
   particleGeometry: (emitter) => emitter.takeGeometry(),
 };
 
-/** A Mesh with the settings as properties: `ParticleEmitter.prototype` has the accessors. */
+/** Mesh typed with the settings as properties, whose accessors are on `ParticleEmitter.prototype`. */
 const MeshWithSettings = Mesh as unknown as new (
   geometry: BufferGeometry,
   material: Material,
 ) => Mesh & ParticleSettings;
 
 /**
- * Emits particles that the GPU simulates. It is drawn where the effect `Particles` is in `farol.effects`, with every
- * technique; stock three draws nothing of it. Each setting is a property that may be set at any time. The emitter's
- * transform is where particles begin; from then on they are in the world. Nothing moves but by `step`.
- *
- * The same seed, settings, transforms and steps give the same particles. After a lost context they begin anew.
+ * Emits particles that the GPU simulates. Drawn with every technique if `farol.effects` contains the effect `Particles`;
+ * invisible in stock three. Each setting is a property that may be set at any time. Particles begin at the emitter's
+ * transform; after that they stay in the world. Only `step` advances the time. The same seed, settings, transforms and
+ * steps give the same particles. After a lost context they begin anew.
  *
  * @example
  * const fire = new ParticleEmitter({ ...particlePresets.fire, rate: 200 });
@@ -77,9 +76,9 @@ const MeshWithSettings = Mesh as unknown as new (
  */
 export class ParticleEmitter extends MeshWithSettings {
   readonly isParticleEmitter = true;
-  /** Whether new particles begin; living ones continue either way. Default true. */
+  /** Whether new particles begin; living ones continue in any case. Default true. */
   emitting = true;
-  /** Grows when a curve or gradient gets another value. @internal */
+  /** Version of curves and gradients, raised by each change. @internal */
   curvesVersion = 0;
   /** Number of restarts so far. @internal */
   restarts = 0;
@@ -92,13 +91,10 @@ export class ParticleEmitter extends MeshWithSettings {
   private field: LightField | null = null;
   private hasBegun = false;
   private prewarmed = 0;
-  /** Capacity that a warning has called too small; 0 for none. */
+  /** Capacity for which a warning was given; 0 for none. */
   private toldOf = 0;
 
-  /**
-   * @param settings - settings that differ from the defaults
-   * @throws RangeError that names the setting which cannot be
-   */
+  /** @param settings - settings that differ from the defaults @throws RangeError that names an invalid setting */
   constructor(settings: Partial<ParticleSettings> = {}) {
     super(new BufferGeometry(), nothing);
     this.name = 'ParticleEmitter';
@@ -118,20 +114,19 @@ export class ParticleEmitter extends MeshWithSettings {
     return this.pending.schedule.isOver;
   }
 
-  /** The particles' lights, a child whose `color` and `intensity` are theirs too; null where `lightEvery` is 0. */
+  /** The particles' lights, a child whose `color` and `intensity` scale them; null where `lightEvery` is 0. */
   get lights(): LightField | null {
     return this.field;
   }
 
-  /** All settings, in an object of their own. */
+  /** Copy of all settings. */
   get settings(): ParticleSettings {
     return { ...this.values, receiveShadow: this.receiveShadow };
   }
 
   /**
    * Sets several settings.
-   * @throws RangeError that names the first which cannot be; those before it have theirs. None has where a name is
-   * unknown
+   * @throws RangeError that names the first invalid one; those before it are set. An unknown name sets none
    */
   set(settings: Partial<ParticleSettings>): this {
     for (const name of Object.keys(settings)) checkParticleName(this.owner, name);
@@ -141,10 +136,10 @@ export class ParticleEmitter extends MeshWithSettings {
   }
 
   /**
-   * Advances the time: long steps are made in parts of at most 1/30 s, between which the emitter's transform is
-   * interpolated. The GPU follows in the next frame that draws the emitter.
-   * @param seconds - 0 or more
-   * @throws RangeError when it is no such number
+   * Advances the time: long steps are split into parts of at most 1/30 s, with the emitter's transform interpolated. The GPU
+   * simulates in the next frame that draws the emitter.
+   * @param seconds - time to add (s), 0 or more
+   * @throws RangeError for any other number
    */
   step(seconds: number): void {
     if (!(seconds >= 0 && seconds < Infinity))
@@ -173,7 +168,7 @@ export class ParticleEmitter extends MeshWithSettings {
     if (values.prewarm > 0) pending.advance(values.prewarm, values, this.matrixWorld, this.emitting);
   }
 
-  /** Frees what the emitter holds on the GPU; a frame that draws it makes it anew, and begins anew. */
+  /** Frees the emitter's GPU resources; a later frame that draws it creates them and restarts it. */
   override dispose(): void {
     super.dispose();
     this.geometry.dispose();
@@ -189,7 +184,7 @@ export class ParticleEmitter extends MeshWithSettings {
     return this.set(source.settings);
   }
 
-  /** Updates matrices, and copies the emitter's layers to its lights: cameras that see particles are lit by them. */
+  /** Updates matrices, and copies the emitter's layers to its lights, so that cameras that see the particles see their light. */
   override updateMatrixWorld(force?: boolean): void {
     if (this.field !== null) this.field.layers.mask = this.layers.mask;
     super.updateMatrixWorld(force);
@@ -209,7 +204,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.prepareDraw?.(this);
   }
 
-  /** Makes the field of the particles' lights. @internal */
+  /** Creates or removes the LightField of the particles' lights. @internal */
   takeLights(): void {
     const { capacity, lightEvery } = this.values;
     const count = lightEvery > 0 ? Math.min(MOST_LIGHTS, Math.ceil(capacity / lightEvery)) : 0;
@@ -218,7 +213,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.field = count > 0 ? new LightField(count, { textures: NO_LIGHTS }) : null;
     if (this.field === null) return;
     this.field.name = 'Lights of particles';
-    // particles are in the world, wherever the emitter is
+    // particles are in world space, not in the emitter's
     this.field.matrixAutoUpdate = this.field.matrixWorldAutoUpdate = false;
     this.add(this.field);
   }
@@ -228,7 +223,7 @@ export class ParticleEmitter extends MeshWithSettings {
     if (this.field !== null) this.field.textures = textures ?? NO_LIGHTS;
   }
 
-  /** Makes the geometry: vertices without attributes, or instances of a mesh. @internal */
+  /** Creates the geometry: vertices without attributes, or instances of a mesh. @internal */
   takeGeometry(): void {
     const { render, particleGeometry } = this.values;
     this.geometry.dispose();
@@ -240,7 +235,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.geometry.boundingSphere = new Sphere();
   }
 
-  /** Sets the number of drawn particles to 0, until an effect sets it. @internal */
+  /** Draws no particles until an effect sets their number. @internal */
   hide(): void {
     const { geometry } = this;
     this.setLightTextures(null);
@@ -253,7 +248,7 @@ export class ParticleEmitter extends MeshWithSettings {
     const { capacity, rate, life, bursts } = this.values;
     this.toldOf = capacity;
     const enough = Math.ceil(rate * life[1]) + bursts.reduce((sum, { count }) => sum + count, 0);
-    // particles that end in a step make room only in the next: a warning would be wrong
+    // enough for `rate`: only particles that end in a step, and make room in the next, exceeded it; no warning
     if (capacity >= enough) return;
     console.warn(
       `${this.owner}: capacity ${capacity} is reached, and no more particles begin; set it to ${enough} or more.`,
@@ -267,7 +262,7 @@ export class ParticleEmitter extends MeshWithSettings {
 }
 
 for (const name of settingNames) {
-  // receiveShadow is a property of every Object3D
+  // every Object3D has the property receiveShadow
   if (name === 'receiveShadow') continue;
   Object.defineProperty(ParticleEmitter.prototype, name, {
     get(this: ParticleEmitter) {

@@ -6,7 +6,7 @@ import particleKeys from './particleKeys.glsl?raw';
 import particleSort from './particleSort.glsl?raw';
 import { sortingNetwork } from './sortingNetwork';
 
-/** Sorting passes in a frame for few particles: all that 1024 particles need. */
+/** Number of sorting passes in a frame for up to 1024 particles, which are then fully sorted. */
 const PASSES = 23;
 const FEW_PASSES = 4;
 const MANY = 131_072;
@@ -41,8 +41,8 @@ export function particleSortPasses() {
 }
 
 /**
- * The slots of an emitter's particles from far to near, sorted on the GPU over one or more frames, each going on from the order
- * of the last: up to 1024 in one frame, 32,768 in two, 131,072 in three.
+ * The slots of an emitter's particles from far to near, sorted on the GPU over one or more frames, each from the last frame's
+ * order: up to 1024 in one frame, 32,768 in two, 131,072 in three.
  */
 export class ParticleOrder {
   private readonly network: ReturnType<typeof sortingNetwork>;

@@ -1,32 +1,32 @@
 import type { BufferGeometry, Mesh, Texture } from 'three';
 import type { LinearRGB } from '../../lights/lightData';
 
-/** A key of a curve: time (0 to 1, ascending) and value; straight between keys, constant before the first and after the last. */
+/** A key of a curve: time (0 to 1, ascending) and value; linear between keys, constant before the first and after the last. */
 export type CurveKey = readonly [time: number, value: number];
 
 /** A key of a gradient: time (0 to 1, ascending), linear colour, and opacity (0 to 1). */
 export type GradientKey = readonly [time: number, color: LinearRGB, opacity: number];
 
 /**
- * Region in which particles begin; lengths in metres, in the emitter's space. From a point and a sphere they leave
- * outwards, else along +Y.
+ * Region in which particles begin; lengths in metres, in the emitter's space. From a point or a sphere they move outwards, else
+ * along +Y.
  */
 export type EmitterShape =
   | { readonly kind: 'point' }
-  /** `thickness` 0: from the surface; 1: from all of it. */
+  /** `thickness` 0: from the surface; 1: from the whole volume. */
   | { readonly kind: 'sphere'; readonly radius: number; readonly thickness: number }
   /** Opens along +Y from a disc; `angle`: of the side to the axis (rad, 0 to π/2). */
   | { readonly kind: 'cone'; readonly radius: number; readonly angle: number }
   | { readonly kind: 'box'; readonly size: readonly [number, number, number] }
   /**
-   * All over the surface of a mesh, where that stands in the world, each part as likely as it is large, along its normal; of
-   * skinned and morphed meshes the surface without these. `mesh` null: none begin.
+   * Surface of a mesh at its place in the world, uniform by area, along its normals; without skinning and morphs. With `mesh`
+   * null no particles begin.
    */
   | { readonly kind: 'mesh'; readonly mesh: Mesh | null };
 
 /** A number of particles that begin at once. */
 export interface ParticleBurst {
-  /** Time after the beginning of the emitter, or of each of its loops (s). */
+  /** Time after the start of the emitter, or of each of its loops (s). */
   readonly time: number;
   readonly count: number;
 }
@@ -54,7 +54,7 @@ export type ParticleCollider = {
     }
 );
 
-/** Animation by a grid of pictures, shown over a particle's life row by row from the top left. */
+/** Animation by a grid of pictures, played over a particle's life row by row from the top left. */
 export interface FlipBook {
   readonly columns: number;
   readonly rows: number;
@@ -63,13 +63,13 @@ export interface FlipBook {
 }
 
 /**
- * Behaviour and look of the particles of a ParticleEmitter. SI units, radians, linear colours; world space where
- * nothing else is said. Ranges `[least, most]` are drawn evenly for each particle, by the seed.
+ * Behaviour and look of the particles of a ParticleEmitter. SI units, radians, linear colours; world space unless stated
+ * otherwise. Ranges `[least, most]` are sampled uniformly for each particle, by the seed.
  */
 export interface ParticleSettings {
   /**
-   * Maximum number of particles at once, 1 to 1,048,576; more than that do not begin. Room is kept for the longest life
-   * of each, so that `rate` × the longest life is enough. Default 1000. Another one begins anew.
+   * Maximum number of particles at once, 1 to 1,048,576; further ones do not begin. Each occupies its slot for the longest life,
+   * so `rate` × longest life is enough. A change restarts the emitter. Default 1000.
    */
   capacity: number;
   /** Seed of all random numbers: equal seeds and steps give equal particles. Default 1. */
@@ -78,13 +78,13 @@ export interface ParticleSettings {
   rate: number;
   /** Groups of particles that begin at once. Default none. */
   bursts: readonly ParticleBurst[];
-  /** Time before the first particle begins (s), of which `duration` and bursts count from the end; `prewarm` counts it. Default 0. */
+  /** Time before the first particle begins (s); `duration` and bursts begin after it; `prewarm` includes it. Default 0. */
   delay: number;
-  /** Time in which the emitter emits (s); 0: without an end. Default 0. */
+  /** Time during which the emitter emits (s); 0 for no end. Default 0. */
   duration: number;
-  /** Whether the emitter begins again after `duration`. Default true. */
+  /** Whether the emitter starts again after `duration`. Default true. */
   loop: boolean;
-  /** Time that is simulated at the beginning and at each restart, 0 to 60 s: the picture begins in full swing. Default 0. */
+  /** Time simulated in advance at the start and each restart, 0 to 60 s, so that particles are visible at once. Default 0. */
   prewarm: number;
   /** Region in which particles begin. A change restarts the emitter. Default a cone of 0.1 m and 0.35 rad. */
   shape: EmitterShape;
@@ -92,21 +92,19 @@ export interface ParticleSettings {
   life: readonly [number, number];
   /** Speed at the beginning (m/s). Default [1, 2]. */
   speed: readonly [number, number];
-  /**
-   * Space in which living particles stay: the world, or the emitter as it moves, turns and is scaled. Default 'world'.
-   */
+  /** Space of living particles: the world, or the emitter with its motion, rotation and scale. Default 'world'. */
   space: 'world' | 'local';
   /** Share of the emitter's own velocity that particles begin with, in the space 'world'. Default 0. */
   inheritVelocity: number;
   /** Acceleration (m/s²). Default [0, 0, 0]. */
   gravity: readonly [number, number, number];
-  /** Share of the velocity that is lost a second, as in dv/dt = -drag · v. At least 0. Default 0. */
+  /** Drag (1/s), as in dv/dt = -drag · v. At least 0. Default 0. */
   drag: number;
   /** Acceleration by curl noise (m/s²). Default 0. */
   noiseStrength: number;
   /** Spatial frequency of the noise (1/m). Default 1. */
   noiseFrequency: number;
-  /** Speed at which the noise sinks through the particles (m/s), so that it changes where they stay. Default 0. */
+  /** Speed at which the noise moves down through the particles (m/s), so that it changes over time. Default 0. */
   noiseScroll: number;
   /** Obstacles, at most 4, tested in their order in each step. Default none. */
   colliders: readonly ParticleCollider[];
@@ -118,13 +116,13 @@ export interface ParticleSettings {
   colorOverLife: readonly GradientKey[];
   /** Factor on the colour, for particles brighter than white. Default 1. */
   brightness: number;
-  /** Initial rotation (rad): of meshes about an axis of their own, else in the picture plane. Default [0, 2π]. */
+  /** Initial rotation (rad): for meshes about the axis of `orientation`, else in the picture plane. Default [0, 2π]. */
   initialRotation: readonly [number, number];
   /** Angular speed (rad/s), multiplied by `spinOverLife`. Default [0, 0]. */
   spin: readonly [number, number];
   /** Factor on the angular speed over a particle's life (0 to 1). Default [[0, 1], [1, 1]]. */
   spinOverLife: readonly CurveKey[];
-  /** Picture of a particle; stays the caller's. Default null: a soft round dot. */
+  /** Picture of a particle, owned by the caller. Default null: a soft round dot. */
   texture: Texture | null;
   /** Animation by parts of `texture`. Default null: the whole texture. */
   flipBook: FlipBook | null;
@@ -136,31 +134,31 @@ export interface ParticleSettings {
   /** Length of a stretched particle for each m/s of its speed (s). Default 0.05. */
   stretch: number;
   /**
-   * Initial rotation of meshes: by `initialRotation` about an axis that is random for each, or about the mesh's +Y, which then is
-   * the emitter's or points along the particle's velocity. Default 'random'.
+   * Initial rotation of meshes: by `initialRotation` about a random axis for each, or about the mesh's +Y, which is then the
+   * emitter's +Y or the direction of the particle's velocity. Default 'random'.
    */
   orientation: 'random' | 'emitter' | 'velocity';
   /**
-   * Geometry of a particle for render 'mesh'; 1 m of it is one diameter. Copied when set: the geometry stays the
-   * caller's, and may be drawn by other meshes, changed or disposed of. Default null: nothing is drawn.
+   * Geometry of a particle for render 'mesh', of which 1 m is one diameter. Copied when set: the caller may draw, change or
+   * dispose the original. Default null: nothing is drawn.
    */
   particleGeometry: BufferGeometry | null;
   /**
-   * 'blended': over one another, sorted back to front. 'additive': summed up, in any order. 'weighted': by WeightedBlendedOIT where
-   * that effect is on, else as 'blended'. Default 'additive'.
+   * 'blended': alpha-blended, sorted back to front. 'additive': summed, in any order. 'weighted': by the effect
+   * WeightedBlendedOIT if present, else 'blended'. Default 'additive'.
    */
   blending: 'blended' | 'additive' | 'weighted';
-  /** Distance before a surface, and before the camera, within which a particle fades out (m); 0: hard edges. Default 0.2. */
+  /** Distance to a surface, and to the camera, within which a particle fades out (m); 0: hard edges. Default 0.2. */
   softness: number;
   /**
-   * Whether particles are lit by all lights, as rough white translucent balls (meshes: by their normals), times the
-   * particle's colour: the side towards a light is lit as a white surface, at 90° half as much, the far side not at
-   * all. Light is computed once a particle, at its centre. Otherwise particles are emissive. Default false.
+   * Whether all lights light particles, as rough white translucent balls (meshes: by their normals), times the particle's
+   * colour: fully on the side towards a light, half at 90°, not on the far side. Light is computed once for each particle, at
+   * its centre. Otherwise particles are emissive. Default false.
    */
   lit: boolean;
   /** Whether lit particles receive shadows. Default false. */
   receiveShadow: boolean;
-  /** One particle in this many is a point light; 0: none. Default 0. */
+  /** Every n-th particle is a point light; 0: none. Default 0. */
   lightEvery: number;
   /** Luminous intensity of each such light (cd), in the particle's colour, multiplied by its opacity. Default 1. */
   lightIntensity: number;

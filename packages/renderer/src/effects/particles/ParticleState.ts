@@ -44,7 +44,7 @@ const to = new Vector3();
 /** Width (texels) of an about square texture with a texel for each slot. */
 const columnsOf = (slots: number): number => 2 ** Math.ceil(Math.log2(slots) / 2);
 
-/** Converts a seed to 32 bits; whole numbers below 2³² stay as they are. */
+/** Converts a seed to 32 bits; whole numbers below 2³² are unchanged. */
 function seedBits(seed: number): number {
   if (Number.isInteger(seed) && seed >= 0 && seed < WORDS) return seed;
   float[0] = seed;
@@ -129,7 +129,7 @@ export class ParticleState {
     this.bakeCurves();
     emitter.begin();
     if (this.particles === null || this.slots !== emitter.capacity) {
-      // after a lost context the particles' state is gone: begin anew
+      // the particles' state was lost with the context: restart
       if (!pending.clears) {
         emitter.restart();
         emitter.begin();
@@ -153,7 +153,7 @@ export class ParticleState {
     return changed;
   }
 
-  /** Computes the light on each particle, by a pass's light loop and by the surroundings. Binds a target. */
+  /** Computes the light on each particle, from a pass's light loop and the surroundings. Binds a target. */
   findLight(frame: Frame, pass: ParticleLightingPass, surroundings: ParticleSurroundings): void {
     const { uniforms } = pass;
     this.around ??= new SurroundingLight();
@@ -198,7 +198,7 @@ export class ParticleState {
     emitter.setLightTextures(this.lightTextures);
   }
 
-  /** Sorts the particles if their order is visible. Binds targets. @returns whether it is */
+  /** Sorts the particles if their order is visible. Binds targets. @returns whether they were sorted */
   sort(frame: Frame, passes: ReturnType<typeof particleSortPasses>): boolean {
     if (this.emitter.blending === 'additive') return false;
     this.order ??= new ParticleOrder(this.slots);
@@ -213,7 +213,7 @@ export class ParticleState {
     const { schedule } = emitter.pending;
     const { capacity, size, initialRotation, spin, stretch, brightness, flipBook, render } = emitter;
     const isSorted = emitter.blending !== 'additive';
-    // in sorted order, slots without a particle lie among the others
+    // sorted slots include those without a particle
     const count = isSorted ? this.order!.places : schedule.begun - schedule.oldest;
     uniforms.farol_particlePositions.value = this.positions;
     uniforms.farol_particleVelocities.value = this.velocities;
@@ -234,7 +234,7 @@ export class ParticleState {
     else emitter.geometry.setDrawRange(0, 6 * count);
   }
 
-  /** @param surfaces - the opaque ones */
+  /** @param surfaces - depth of the opaque surfaces */
   setDepth(frame: Frame, surfaces: SurfaceDepth): void {
     const { uniforms } = this;
     const { near } = frame.camera as PerspectiveCamera;
@@ -246,7 +246,7 @@ export class ParticleState {
     uniforms.farol_softness.value.set(1 / this.emitter.softness, near, scale.x, scale.y);
   }
 
-  /** Makes three send the uniforms again with the next draw. */
+  /** Makes three upload the uniforms with the next draw. */
   touch(): void {
     if (this.material !== null) this.material.uniformsNeedUpdate = true;
   }
@@ -364,11 +364,11 @@ export class ParticleState {
     uniforms.farol_stepTimes.value.set(seconds, step.offset, step.interval);
     const onMesh = shape.kind === 'mesh' && shape.mesh !== null;
     const isLocal = space === 'local';
-    // particles that begin in the step then move with the emitter: they begin at its place at the step's end
+    // new particles move with the emitter during the step, so they begin at its transform at the step's end
     uniforms.farol_emitterStart.value.copy(onMesh ? shape.mesh.matrixWorld : isLocal ? matrix : start);
     uniforms.farol_emitterEnd.value.copy(onMesh ? shape.mesh.matrixWorld : matrix);
     const carried = uniforms.farol_carried.value.identity();
-    // a matrix without an inverse (scale 0) cannot be undone
+    // not for a scale of 0, which has no inverse
     if (isLocal && start.determinant() !== 0) carried.copy(start).invert().premultiply(matrix);
     from.setFromMatrixPosition(isLocal ? matrix : start);
     to.setFromMatrixPosition(matrix);

@@ -27,7 +27,7 @@ const NORMAL = 'vec3 farol_axisNormal;\n#define normal farol_axisNormal\n';
 const PLACE = `gl_Position = vec4((float(farol_texelIndex) + (farol_isRightCorner ? 1.0 : 0.0)) / ${(NORMALS / 2).toFixed(1)} - 1.0,
   farol_isUpperCorner ? 1.0 : -1.0, 0.0, 1.0);`;
 
-/** White Lambert material, without lights: what three and effects add to each surface, in a texel for each normal. */
+/** White Lambert material without lights: outputs the light that three and effects add to a surface, one texel for each normal. */
 function surroundingsKind(): TwinKind {
   const kind = forwardTwins('lightLoopNone')('final').whole;
   return {
@@ -41,7 +41,7 @@ function surroundingsKind(): TwinKind {
   };
 }
 
-/** Makes a quad for each texel. The shader makes positions and normals; three only tests that the attributes exist. */
+/** Makes a quad for each texel. The shader computes positions and normals; three only tests that the attributes exist. */
 function texels(): BufferGeometry {
   const none = new BufferAttribute(new Float32Array(18 * NORMALS), 3);
   const geometry = new BufferGeometry().setAttribute('position', none).setAttribute('normal', none);
@@ -50,9 +50,8 @@ function texels(): BufferGeometry {
 }
 
 /**
- * Indirect light at an emitter: environment map, ambient and hemisphere lights, light probes, and what effects add for
- * lit materials. A white Lambert surface of three's own is shaded for nine normals, from which follow spherical
- * harmonics of second order.
+ * Indirect light at an emitter: environment map, ambient and hemisphere lights, light probes, and light that effects add. Shades
+ * a white Lambert surface for nine normals, and computes spherical harmonics of second order from these.
  * @see Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
  */
 export class ParticleSurroundings {

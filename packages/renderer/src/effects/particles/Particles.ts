@@ -10,9 +10,9 @@ import { ParticleSurroundings } from './ParticleSurroundings';
 import { SurfaceDepth } from './SurfaceDepth';
 
 /**
- * Simulates and draws the scene's particles: objects of class `ParticleEmitter`. With every technique, among the transparent
- * things, by the distance of each emitter; they write no depth and cast no shadows. TAA leaves them out of what it keeps of
- * earlier frames. Stand it before other effects.
+ * Simulates and draws the scene's particles: objects of class `ParticleEmitter`. Works with every technique; sorted among
+ * transparent objects by each emitter's distance; they write no depth and cast no shadows. TAA keeps no history of them. Put
+ * this effect before others.
  */
 export class Particles implements FarolEffect {
   readonly name = 'particles';
@@ -36,15 +36,15 @@ export class Particles implements FarolEffect {
   }
 
   /**
-   * The particles of an emitter as textures of 32-bit floats, a texel each, valid until the next frame; null for one that was
-   * not drawn yet. Particles whose age is their life or more are not there.
+   * An emitter's particles as textures of 32-bit floats, a texel each, valid until the next frame; null if it was not drawn yet.
+   * Texels with an age of at least their lifetime hold no particle.
    */
   texturesOf(emitter: ParticleEmitter): ParticleTextures | null {
     return this.states.get(emitter)?.textures ?? null;
   }
 
   begin(frame: Frame): void {
-    this.hide(); // hides what the last frame left visible, if an exception ended it
+    this.hide(); // hides emitters that an exception left visible in the last frame
     this.frame = frame;
     this.depth.begin();
     this.loop = 'lightLoopAll';
@@ -81,7 +81,7 @@ export class Particles implements FarolEffect {
     this.depth.scale.set(z / frame.width, w / frame.height);
     const lists = resources.find('light-lists');
     if (lists === undefined) return;
-    // lists of tiles that are cut by depth know opaque surfaces alone
+    // tile lists that were culled by depth are for opaque surfaces only
     const knowsAll = lists.loop !== 'lightLoopTiled' || this.depth.texture === null;
     this.loop = knowsAll ? lists.loop : 'lightLoopAll';
   }

@@ -2,22 +2,22 @@ import { Matrix4 } from 'three';
 import { EmissionSchedule, type SimulationStep } from './EmissionSchedule';
 import type { ParticleSettings } from './ParticleSettings';
 
-/** A simulation step that the GPU has yet to make. */
+/** A simulation step that the GPU has not run yet. */
 export interface PendingStep extends SimulationStep {
-  /** World matrix of the emitter at the end of the step; at its start it is that of the step before. */
+  /** World matrix of the emitter at the end of the step; the step before has that at its start. */
   readonly matrix: Matrix4;
 }
 
-/** Greatest number of steps kept while the emitter is not drawn. */
+/** Maximum number of steps kept while the emitter is not drawn. */
 const MOST = 4096;
-/** Number of pending steps from which on steps are dropped whose particles have all ended. */
+/** Number of pending steps from which on steps whose particles have all ended are dropped. */
 const FEW = 64;
 
 function makeStep(): PendingStep {
   return { seconds: 0, first: 0, bursting: 0, rated: 0, offset: 0, interval: 0, time: 0, matrix: new Matrix4() };
 }
 
-/** Simulation steps of an emitter that wait for the next frame in which it is drawn; the GPU then makes all of them. */
+/** Simulation steps of an emitter that wait for the next frame in which it is drawn; the GPU then runs all of them. */
 export class PendingSteps {
   readonly schedule = new EmissionSchedule();
   /** Pending steps; only the first `count` are valid. */
@@ -32,10 +32,10 @@ export class PendingSteps {
   private longestLife = 0;
   private from = 0;
   private length = 0;
-  /** Number of steps at which unneeded ones are next dropped. */
+  /** Number of steps at which `drop` runs next. */
   private limit = FEW;
 
-  /** Begins anew at the emitter's present world matrix. */
+  /** Restarts at the emitter's current world matrix. */
   restart(matrix: Matrix4): void {
     this.schedule.restart();
     this.count = 0;
@@ -91,7 +91,7 @@ export class PendingSteps {
     let first = 0;
     while (first < count && time - steps[first].time >= this.longestLife) first++;
     if (count === MOST) first = Math.max(first, MOST / 2);
-    // at most half of the kept steps are unneeded
+    // the next drop comes once the number has doubled
     this.limit = Math.min(MOST, Math.max(FEW, 2 * (count - first)));
     if (first === 0) return;
     this.start.copy(steps[first - 1].matrix);

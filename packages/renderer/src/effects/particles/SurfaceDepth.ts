@@ -8,16 +8,15 @@ import { targetBytes } from '../../gpu/targetBytes';
 import { DistancePass } from '../../passes/forward/DistancePass';
 
 /**
- * Depth of the opaque surfaces of a frame as a texture, while the frame's target is drawn to: from the technique's
- * resources, else a copy of the target's depth texture, else drawn once more; with distances where depth does not
- * tell them.
+ * Depth of a frame's opaque surfaces as a texture that can be read while drawing to the frame's target: from the technique's
+ * resources, else a copy of the target's depth texture, else drawn again; with distances where depth does not give them.
  */
 export class SurfaceDepth {
   /** Depth texture of this frame's opaque surfaces; null until `of` is called. */
   texture: Texture | null = null;
-  /** Distances of the surfaces as storedDistance.glsl packs them, where depth does not tell them; else null. */
+  /** Distances of the surfaces, packed by storedDistance.glsl, where depth does not give them; else null. */
   distances: Texture | null = null;
-  /** Texels of `texture` a pixel of the picture. */
+  /** Number of texels of `texture` for each pixel of the picture, along x and y. */
   readonly scale = new Vector2(1, 1);
   private copied: WebGLRenderTarget | null = null;
   private readonly drawn = new PassTarget({ depthTexture: true });
@@ -79,7 +78,7 @@ export class SurfaceDepth {
     }
     const copied = this.copied!;
     fitTarget(copied, width, height);
-    frame.bind(copied); // binding allocates the target, which depth is then copied to
+    frame.bind(copied); // binding allocates the target, before depth is copied to it
     frame.copyDepth(frame.target!, copied, viewport.x, viewport.y);
     return copied.depthTexture!;
   }

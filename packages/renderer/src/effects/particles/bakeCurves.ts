@@ -1,8 +1,8 @@
 import type { CurveKey, GradientKey, ParticleSettings } from './ParticleSettings';
 
-/** Width of the baked curves (texels): the first at a life's beginning, the last at its end. */
+/** Width of the baked curves (texels): the first texel is the beginning of a life, the last its end. */
 export const CURVE_TEXELS = 256;
-/** Rows of the baked curves: colour and opacity; size, and share of its spin that a particle has turned. */
+/** Number of rows of the baked curves: colour and opacity; size, and integral of the spin. */
 export const CURVE_ROWS = 2;
 
 type Curves = Pick<ParticleSettings, 'colorOverLife' | 'sizeOverLife' | 'spinOverLife'>;

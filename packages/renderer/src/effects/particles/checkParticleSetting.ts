@@ -5,7 +5,7 @@ type Check = (value: unknown) => string | null;
 
 /** Maximum number of particles of an emitter: 1024 × 1024 texels. */
 export const MOST_PARTICLES = 1_048_576;
-/** Maximum number of colliders of an emitter, as particleMotion.glsl has it. */
+/** Maximum number of colliders of an emitter; particleMotion.glsl repeats it. */
 export const MOST_COLLIDERS = 4;
 
 const isNumber = (value: unknown, least = -Infinity, most = Infinity): boolean =>
@@ -174,16 +174,13 @@ const checks: { readonly [Name in keyof ParticleSettings]: Check } = {
 
 export const settingNames = Object.keys(checks) as readonly (keyof ParticleSettings)[];
 
-/** @throws RangeError for a name that no setting has */
+/** @throws RangeError for a name of no setting */
 export function checkParticleName(owner: string, name: string): void {
   if (Object.hasOwn(checks, name)) return;
   throw new RangeError(`${owner}: ${shortText(name)} is no setting; the settings are ${settingNames.join(', ')}.`);
 }
 
-/**
- * @param owner - names the emitter
- * @throws RangeError that names the setting and what to give, when the value cannot be
- */
+/** @param owner - name of the emitter, for the message @throws RangeError that names the setting and its allowed values */
 export function checkParticleSetting(owner: string, name: keyof ParticleSettings, value: unknown): void {
   const wanted = checks[name](value);
   if (wanted !== null) throw new RangeError(`${owner}: ${name} is ${shortText(value)}; give ${wanted}.`);
@@ -191,7 +188,7 @@ export function checkParticleSetting(owner: string, name: keyof ParticleSettings
 
 function shortText(value: unknown): string {
   if (typeof value === 'number' || typeof value === 'boolean' || value === undefined) return String(value);
-  // Infinity and NaN, which JSON does not have, by their names
+  // JSON has no Infinity and NaN: writes their names
   const text = JSON.stringify(value, (key, part: unknown) => {
     if (key === 'mesh' || key === 'metadata') return undefined;
     return typeof part === 'number' && !Number.isFinite(part) ? String(part) : part;

@@ -2,8 +2,8 @@ import { hasReadableVertices } from '../../three/vertexData';
 import { type BufferGeometry, InstancedBufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
 
 /**
- * Makes an instanced copy of a geometry, with no instances yet. Attributes are copied since three deletes their GPU
- * buffers when one geometry that has them is disposed. Attributes that the CPU cannot read are left out.
+ * Makes an instanced copy of a geometry, with no instances yet. Attributes are copied, since three deletes their GPU buffers
+ * when any geometry with them is disposed. Attributes that the CPU cannot read are left out.
  */
 export function instancesOf(geometry: BufferGeometry | null): InstancedBufferGeometry {
   const instanced = new InstancedBufferGeometry();
@@ -20,7 +20,7 @@ export function instancesOf(geometry: BufferGeometry | null): InstancedBufferGeo
       continue;
     }
     const { data, itemSize, offset, normalized } = attribute;
-    // attributes that share an interleaved buffer share one after the copy
+    // attributes that share an interleaved buffer also share its copy
     const buffer = buffers.get(data) ?? new InterleavedBuffer(data.array.slice(), data.stride);
     buffers.set(data, buffer);
     instanced.setAttribute(name, new InterleavedBufferAttribute(buffer, itemSize, offset, normalized));

@@ -1,5 +1,5 @@
-// Colours one particle: picture or soft dot, light that has reached it, fading out before surfaces and the camera.
-// Lorach 2007, Soft Particles (NVIDIA white paper); three.js r187's chunks for tone mapping, colour space and clipping
+// Colours one particle: picture or soft dot, times its light, faded near surfaces and the camera. Lorach 2007, Soft
+// Particles (NVIDIA white paper); three.js r187's chunks for tone mapping, colour space and clipping
 //# stage fragment
 #include "media"
 #include "storedDistance"
@@ -14,13 +14,13 @@ uniform sampler2D farol_particleMap;
 #ifdef FAROL_SOFT
 uniform highp sampler2D farol_particleDepth; // depth of opaque surfaces
 uniform highp sampler2D farol_particleDistances; // distances of the opaque surfaces, see storedDistance.glsl
-uniform highp int farol_particleStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
-uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: texels of depth a pixel
+uniform highp int farol_particleStored; // stored distances: 0 none, 1 perspective, 2 orthographic
+uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: depth texels for each pixel
 #endif
-uniform highp float farol_hiding; // share of fog's own light: 1, or 0 where particles add to what is behind them
+uniform highp float farol_hiding; // share of fog's own light: 1, or 0 for additive particles
 in highp vec4 farol_particleColor;
 in highp vec4 farol_particleUV; // xy, zw: uv in the current and the next picture of the flip book
-in highp vec3 farol_particleBall; // xy: place on the particle, -1 to 1; z: share of the next picture, 0 to 1
+in highp vec3 farol_particleBall; // xy: position on the particle, -1 to 1; z: share of the next picture, 0 to 1
 in highp float farol_particleDistance; // distance along the view (m)
 #ifdef FAROL_LIT
 #include "particleSurroundings"
@@ -60,7 +60,7 @@ if (!farol_isEmpty(farol_surface)) {
 farol_color.a *= clamp(farol_room * farol_softness.x, 0.0, 1.0);
 #endif
 #ifdef FAROL_REACTIVE
-// pixels covered or brightened by a quarter have no valid past
+// pixels covered or brightened by a quarter have no valid history
 float farol_brightest = max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
 gl_FragColor = vec4(min(1.0, 4.0 * farol_color.a * farol_brightest));
 return;

@@ -4,7 +4,7 @@ uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
 uniform highp sampler2D farol_sorted; // last frame's order: distance along the view (m), slot
 uniform highp vec4 farol_viewRow; // third row of the view matrix, gives view-space z
-uniform highp ivec3 farol_sortSlots; // slots; columns of the texture; 1 to start in the order of slots
+uniform highp ivec3 farol_sortSlots; // x: slots; y: columns of the texture; z: 1 to begin with the order of slots
 layout(location = 0) out highp vec2 farol_key;
 //# main
 ivec2 texel = ivec2(gl_FragCoord.xy);

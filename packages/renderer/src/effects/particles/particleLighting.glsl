@@ -1,13 +1,13 @@
-// The light that reaches the centre of each particle, a texel each: for each colour the sum over all lights, and the
-// sum times their directions, from which the light on a ball or a mesh follows.
-// Farol; Ramamoorthi and Hanrahan 2001 (linear terms)
+// The light at the centre of each particle, a texel each: for each colour the sum over all lights, and the sum of
+// light times direction, from which the light on a ball or a mesh is computed. Farol; Ramamoorthi and Hanrahan 2001
+// (linear terms)
 #include "incidentLight"
 #include "lightMask"
 uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
 uniform highp mat4 farol_particleView;
 uniform highp mat4 farol_particleProjection;
-uniform highp vec4 farol_listPicture; // picture: xy: first pixel, zw: size (pixels)
+uniform highp vec4 farol_listPicture; // picture of the light lists: xy: first pixel, zw: size (pixels)
 uniform bool farol_particlesShadowed;
 layout(location = 0) out highp vec4 farol_red;
 layout(location = 1) out highp vec4 farol_green;
@@ -21,7 +21,7 @@ void farol_addParticleLight(const in vec3 color, const in vec3 direction) {
   farol_blue += color.b * facing;
 }
 
-// area light: by the irradiance of a surface that faces its middle; of a rectangle, of the brightest direction
+// area light: irradiance of a surface that faces its middle; for a rectangle, in the brightest direction
 void farol_addAreaToParticle(const in FarolLight light) {
 #ifdef FAROL_AREA_LIGHTS
   vec3 toLight = light.direction * light.distance;
@@ -34,7 +34,7 @@ void farol_addAreaToParticle(const in FarolLight light) {
     form = length(sum);
     direction = -sum / max(form, 1e-12);
   } else {
-    // any tangents will do: the cosine lobe is the same all around
+    // arbitrary tangents: the cosine lobe is symmetrical
     form = farol_areaDiffuse(farol_toTangentSpace(area, farol_areaLobe(direction, direction, vec4(0.0)).tangents));
   }
   vec3 arriving = farol_masked(light.color, light.mask, toLight, farol_positionVS, direction,
@@ -62,7 +62,7 @@ void farol_shadeParticle(const in FarolLight light) {
 }
 #define FAROL_SHADE(light) farol_shadeParticle(light);
 //# main
-// gl_FragCoord stands for a pixel of the picture in the light loops, FAROL_TEXEL for the particle's texel
+// In light loops, gl_FragCoord is replaced by a pixel of the picture; FAROL_TEXEL is the particle's texel
 ivec2 farol_texel = ivec2(FAROL_TEXEL.xy);
 farol_red = farol_green = farol_blue = vec4(0.0);
 vec4 farol_center = texelFetch(farol_particlePositions, farol_texel, 0);
@@ -71,7 +71,7 @@ if (farol_center.w < texelFetch(farol_particleVelocities, farol_texel, 0).w) {
   farol_positionVS = farol_viewed.xyz;
   vec4 farol_clip = farol_particleProjection * farol_viewed;
   vec2 farol_uv = farol_clip.xy / max(farol_clip.w, 1e-6) * 0.5 + 0.5;
-  // particles beside the picture take the lights of its edge
+  // particles outside of the picture use the light lists at its edge
   vec2 farol_pixel = clamp(farol_uv * farol_listPicture.zw, vec2(0.5), farol_listPicture.zw - 0.5);
   gl_FragCoord.xy = farol_listPicture.xy + farol_pixel;
   FAROL_FOR_EACH_LIGHT(farol_positionVS)

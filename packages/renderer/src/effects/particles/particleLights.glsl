@@ -3,7 +3,7 @@
 #include "particleCurves"
 uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
-uniform highp ivec3 farol_lightOf; // x: slots a light (every x-th shines); y: slots; z: lights a row
+uniform highp ivec3 farol_lightOf; // x: every x-th particle is a light; y: slots; z: lights a row
 uniform highp vec2 farol_lightValues; // intensity (cd) and range (m) where the curves are 1
 layout(location = 0) out highp vec4 farol_sphere; // xyz: world space (m); w: range (m), 0 for no light
 layout(location = 1) out highp vec4 farol_emission; // linear colour times intensity (cd), decay

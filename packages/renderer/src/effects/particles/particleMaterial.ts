@@ -56,7 +56,7 @@ export function particleUniforms() {
   };
 }
 
-/** Settings that decide an emitter's program and blending. */
+/** Settings that select an emitter's program and blending. */
 export type ParticleLook = Pick<ParticleSettings, 'render' | 'blending' | 'lit'> & {
   readonly map: boolean;
   readonly soft: boolean;
@@ -65,7 +65,7 @@ export type ParticleLook = Pick<ParticleSettings, 'render' | 'blending' | 'lit'>
   readonly reactive?: boolean;
 };
 
-/** Blending that equals NormalBlending but that WeightedBlendedOIT leaves alone. */
+/** Blending equal to NormalBlending, but ignored by WeightedBlendedOIT. */
 const OVER = {
   blending: CustomBlending,
   blendSrc: SrcAlphaFactor,
@@ -122,7 +122,7 @@ export function particleMaterial(
     defines,
     transparent: true,
     depthTest: true,
-    // mesh particles hide one another, and write depth
+    // mesh particles occlude one another, and write depth
     depthWrite: look.reactive !== true && look.render === 'mesh' && look.blending !== 'additive',
     fog: look.reactive !== true,
     toneMapped: look.reactive !== true,

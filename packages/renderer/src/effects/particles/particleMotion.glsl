@@ -1,9 +1,9 @@
-// Moves a particle by a time: exactly under constant acceleration and drag; noise as it is at the beginning; planes
-// and spheres that it bounces off.
+// Moves a particle over a time step: exact for constant acceleration and drag, with the noise of the step's start;
+// bounces off planes and spheres.
 // Farol; dv/dt = a - k v; exponential integrator: Hochbruck and Ostermann 2010
 #include "particleNoise"
 uniform highp vec4 farol_acceleration; // xyz: acceleration (m/s²); w: drag (1/s)
-uniform highp vec4 farol_noise; // x: strength (m/s²); y: waves a metre; z: how far the noise has sunk (m)
+uniform highp vec4 farol_noise; // x: strength (m/s²); y: frequency (1/m); z: how far the noise has moved down (m)
 const int FAROL_COLLIDERS = 4;
 uniform int farol_colliderCount;
 // colliders: unit normal and height (m) of a plane, centre and radius (m) of a sphere
@@ -21,7 +21,7 @@ float farol_meetsSphere(const in vec4 sphere, const in vec3 start, const in vec3
   return root < 0.0 ? 2.0 : outside / (sqrt(root) - towards);
 }
 
-// seconds: length of the step; left: seconds of it after `start`
+// seconds: length of the step; left: time in the step after start (s)
 void farol_bounceParticle(const in vec4 collider, const in vec3 bounce, const in float seconds, inout float left,
   inout vec3 start, inout vec3 position, inout vec3 velocity, const in vec3 acceleration) {
   bool isSphere = bounce.z > 0.0;
@@ -35,10 +35,10 @@ void farol_bounceParticle(const in vec4 collider, const in vec3 bounce, const in
   float towards = dot(normal, velocity);
   if (towards >= 0.0) return;
   left *= 1.0 - share;
-  // speed at the surface (m/s): gravity acts after the impact too, so it is less than at the step's end
+  // speed at impact (m/s), less than at the step's end: gravity also acts after the impact
   float speed = min(0.0, towards - dot(normal, acceleration) * left);
   float kept = -speed * bounce.x;
-  // a bounce that gravity ends within the step is none: the particle lies still
+  // no bounce if gravity would end it within the step: the particle comes to rest
   if (kept < -dot(normal, acceleration) * seconds) kept = 0.0;
   velocity = (velocity - normal * towards) * (1.0 - bounce.y) + normal * kept;
   start = met;

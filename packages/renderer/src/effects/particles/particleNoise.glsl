@@ -1,4 +1,4 @@
-// A field without divergence: the cross product of the gradients of two gradient noises, of about unit strength.
+// Divergence-free noise field: the cross product of the gradients of two gradient noises, of about unit length.
 // DeWolf 2005, Divergence-Free Noise; gradient noise with analytic derivatives: Quilez 2017
 vec3 farol_noiseCorner(const in highp ivec3 corner, const in highp uint channel) {
   highp uvec3 v = uvec3(corner) * 1664525u + 1013904223u + channel;

@@ -46,7 +46,7 @@ export function particleStepPass() {
   });
 }
 
-/** Makes the pass that writes the lights of an emitter's particles as a LightField has them. */
+/** Makes the pass that writes the lights of an emitter's particles, in the layout of a LightField. */
 export function particleLightsPass() {
   return new FullscreenPass({
     program: 'lights of particles',
@@ -63,13 +63,13 @@ export function particleLightsPass() {
   });
 }
 
-/** The pixel of a particle's centre, by which light loops find their lists, in place of the one that is written. */
+/** GLSL name of the pixel at a particle's centre, by which light loops find their lists, in place of gl_FragCoord. */
 const COORDINATE = 'farol_listCoordinate';
 
-/** Tells the check of live edits which names are others in this program: see `checkLiveEdit`. */
+/** Lists the names replaced in this program, for `checkLiveEdit`. */
 const NAMES = `// names gl_FragCoord=${COORDINATE} FAROL_TEXEL=gl_FragCoord\n`;
 
-/** @param parameters - of a program, as `Material.onBeforeCompile` has them */
+/** @param parameters - program parameters, as passed to `Material.onBeforeCompile` */
 function nameCoordinates(parameters: { fragmentShader: string }): void {
   parameters.fragmentShader = parameters.fragmentShader
     .replaceAll('gl_FragCoord', COORDINATE)

@@ -1,6 +1,6 @@
 import type { ParticleSettings } from './ParticleSettings';
 
-/** Settings of common effects, less what is the default: `new ParticleEmitter(particlePresets.fire)`. */
+/** Settings of common effects that differ from the defaults: `new ParticleEmitter(particlePresets.fire)`. */
 export const particlePresets = {
   fire: {
     capacity: 400,

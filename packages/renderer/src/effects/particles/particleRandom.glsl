@@ -1,4 +1,4 @@
-// Random numbers of a particle, by its number, a channel of its own and the seed: three of 24 bits, from 0 to below 1.
+// Three random numbers of 24 bits, from 0 to below 1, hashed from a particle's number, a channel and the seed.
 // Jarzynski and Olano 2020, Hash Functions for GPU Rendering, https://jcgt.org/published/0009/03/02/ (pcg3d)
 uniform highp uint farol_particleSeed;
 

@@ -1,4 +1,4 @@
-// Start position and direction of a particle, by random numbers.
+// Start position and direction of a particle, from random numbers.
 // Farol; uniform points: Pharr, Jakob and Humphreys 2023, 4th edition, A.5; choice by area: Vose 1991
 #include "particleRandom"
 const int FAROL_POINT = 0;
@@ -9,7 +9,7 @@ const int FAROL_MESH = 4;
 uniform highp ivec2 farol_emitterShape; // x: a shape constant above; y: triangles of the surface
 // sphere: radius (m), thickness (0 to 1); cone: radius (m), angle (rad); box: sides (m)
 uniform highp vec3 farol_emitterSize;
-// six texels a triangle: three corners, in their w share and alias (Walker's alias method); three normals
+// six texels a triangle: three corners, whose w hold share and alias (alias method), then three normals
 uniform highp sampler2D farol_emitterSurface;
 
 vec3 farol_onSphere(const in vec2 random) {

@@ -1,8 +1,8 @@
-// Up to three steps of a bitonic network in one pass, farthest first. All comparators point one way: what is in order
-// stays so, and a part of the network never makes an order worse.
-// Batcher 1968, Sorting Networks and Their Applications; Kipfer and Westermann 2005, GPU Gems 2, chapter 46
-uniform highp sampler2D farol_sorted; // order of the step before: distance along the view (m), slot
-uniform highp ivec3 farol_partners; // of each step: XOR of the places of two partners; 0: no such step
+// Up to three steps of a bitonic network in one pass, farthest first. All comparators have one direction: sorted
+// input stays sorted, and a part of the network never worsens an order. Batcher 1968, Sorting Networks and Their
+// Applications; Kipfer and Westermann 2005, GPU Gems 2, chapter 46
+uniform highp sampler2D farol_sorted; // order after the last pass: distance along the view (m), slot
+uniform highp ivec3 farol_partners; // for each step: XOR of the indices of two partners; 0: no such step
 layout(location = 0) out highp vec2 farol_key;
 //# main
 ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -1,15 +1,15 @@
-// One step of all particles of an emitter, a texel each: those that live move, and new ones begin in the next slots.
+// One step of all particles of an emitter, a texel each: living ones move, and new ones begin in the next slots.
 // Farol
 #include "particleShape"
 #include "particleMotion"
 uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
-uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s), none lives from that age on
-uniform highp ivec4 farol_beginning; // x: slot of the first new particle; y: new at the start; z: new later; w: slots
-uniform highp uint farol_firstNumber; // number of the first new particle, counted over all time
-uniform highp vec3 farol_stepTimes; // s; x: length of the step; y: start of the first later one; z: time between these
+uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
+uniform highp ivec4 farol_beginning; // new particles: x: first slot; y: number at once; z: number later; w: all slots
+uniform highp uint farol_firstNumber; // number of the first new particle since the restart
+uniform highp vec3 farol_stepTimes; // seconds; x: length of the step; y: first later start; z: interval of later ones
 uniform highp mat4 farol_emitterStart; // world matrix of the emitter at the start of the step and at its end
 uniform highp mat4 farol_emitterEnd;
-uniform highp mat4 farol_carried; // motion of the emitter in the step, for living particles that move along
+uniform highp mat4 farol_carried; // motion of the emitter in the step, for living particles that move with it
 uniform highp vec4 farol_lifeAndSpeed; // least and most lifetime (s), least and most speed (m/s)
 uniform highp vec3 farol_inherited; // part of the emitter's velocity that new particles inherit (m/s)
 layout(location = 0) out highp vec4 farol_position;

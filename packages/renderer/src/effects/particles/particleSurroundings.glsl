@@ -1,11 +1,10 @@
-// Light from all around, as a white surface reflects it, by its normal in the world: spherical harmonics of second
-// order as a polynomial through nine normals.
-// Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
+// Indirect light that a white surface reflects, by its world-space normal: spherical harmonics of second order,
+// fitted to nine normals. Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
 uniform highp sampler2D farol_surroundings; // irradiance of nine normals: +X, -X, +Y, -Y, +Z, -Z, YZ, ZX, XY
 
 vec3 farol_surroundingLight(const in vec3 normal) {
   vec3 sum = vec3(0.0);
-  vec3 between[3]; // light along the directions half way between two axes
+  vec3 between[3]; // light for normals half way between two axes
   for (int i = 0; i < 3; i++) {
     vec3 more = texelFetch(farol_surroundings, ivec2(2 * i, 0), 0).rgb;
     vec3 less = texelFetch(farol_surroundings, ivec2(2 * i + 1, 0), 0).rgb;

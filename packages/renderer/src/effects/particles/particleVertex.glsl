@@ -1,5 +1,5 @@
-// Places the vertices of one particle: a rectangle that faces the camera, one drawn out along its velocity, or a mesh.
-// Farol; three.js r187's chunks for fog, clipping and logarithmic depth
+// Places the vertices of one particle: a rectangle that faces the camera, one stretched along its velocity, or a
+// mesh. Farol; three.js r187's chunks for fog, clipping and logarithmic depth
 //# stage vertex
 #include "particleCurves"
 #include "particleRandom"
@@ -8,16 +8,16 @@
 #include <logdepthbuf_pars_vertex>
 uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
-uniform highp ivec2 farol_particleSlots; // slot of the oldest particle, number of slots
+uniform highp ivec2 farol_particleSlots; // x: slot of the oldest particle; y: number of slots
 uniform highp uint farol_oldestNumber;
-uniform highp vec4 farol_sizeAndRotation; // x, y: least, most diameter (m); z, w: least, most turn at birth (rad)
-uniform highp int farol_orientation; // turn of meshes: 0 random, 1 as the emitter, 2 along the velocity
+uniform highp vec4 farol_sizeAndRotation; // xy: range of diameters (m); zw: range of initial rotations (rad)
+uniform highp int farol_orientation; // orientation of meshes: 0 random, 1 as the emitter, 2 along the velocity
 uniform highp mat3 farol_emitterTurn;
-uniform highp vec4 farol_spinAndStretch; // x, y: least, most spin (rad/s); z: stretch (s); w: brightness
-uniform highp vec3 farol_flipBook; // flip book: columns and rows of pictures, cycles in a particle's life
+uniform highp vec4 farol_spinAndStretch; // xy: least and greatest spin (rad/s); z: stretch (s); w: brightness
+uniform highp vec3 farol_flipBook; // flip book: x: columns, y: rows of pictures, z: cycles in a particle's life
 out highp vec4 farol_particleColor;
 out highp vec4 farol_particleUV; // xy, zw: uv in the current and the next picture of the flip book
-out highp vec3 farol_particleBall; // xy: place on the particle, -1 to 1; z: share of the next picture, 0 to 1
+out highp vec3 farol_particleBall; // xy: position on the particle, -1 to 1; z: share of the next picture, 0 to 1
 out highp float farol_particleDistance; // distance along the view (m)
 #ifdef FAROL_SORTED
 uniform highp sampler2D farol_particleOrder; // particles from far to near: distance along the view (m), slot
@@ -36,7 +36,7 @@ vec3 farol_turn(const in vec3 v, const in vec3 axis, const in float angle) {
   return mix(axis * dot(axis, v), v, cos(angle)) + cross(axis, v) * sin(angle);
 }
 
-// axes that turn a mesh's +Y to a direction; identity for a zero direction
+// rotation of a mesh's +Y to a direction; identity for a zero direction
 mat3 farol_axesAlong(const in vec3 direction) {
   float size = length(direction);
   if (size < 1e-6) return mat3(1.0);

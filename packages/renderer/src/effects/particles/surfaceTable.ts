@@ -1,14 +1,12 @@
 import { Matrix4, Vector3, type Mesh } from 'three';
 import { hasReadableVertices, isReadable } from '../../three/vertexData';
 
-/**
- * Texels of a triangle: three corners, of which the first two also hold its share and its alias; then their normals.
- */
+/** Number of texels of a triangle: three corners, the first two also with share and alias, then their normals. */
 export const TEXELS_PER_TRIANGLE = 6;
 
 /** Table from which a triangle of a surface is chosen in proportion to its area, by two random numbers (alias method). */
 export interface SurfaceTable {
-  /** 4 × TEXELS_PER_TRIANGLE floats a triangle, in the mesh's space. */
+  /** Texels of each triangle, 4 × TEXELS_PER_TRIANGLE floats, in the mesh's space. */
   readonly data: Float32Array;
   readonly triangles: number;
 }
@@ -19,8 +17,8 @@ const edge = new Vector3();
 const normal = new Vector3();
 
 /**
- * Vose's alias method: column `i` is chosen evenly; `i` is drawn with its share, else `alias[i]`.
- * @param weights - at least 0, with a sum above 0
+ * Vose's alias method: `i` is chosen uniformly, then kept with probability `share[i]`, else replaced by `alias[i]`.
+ * @param weights - each at least 0, with a sum above 0
  * @see Vose 1991, A Linear Algorithm for Generating Random Numbers with a Given Distribution
  */
 export function aliasTable(weights: Float64Array): { share: Float64Array; alias: Uint32Array } {
@@ -41,7 +39,7 @@ export function aliasTable(weights: Float64Array): { share: Float64Array; alias:
       small.push(more);
     }
   }
-  // entries that rounding has left over keep their whole share
+  // entries left over by rounding have a share of 1
   for (const i of [...small, ...large]) share[i] = 1;
   return { share, alias };
 }

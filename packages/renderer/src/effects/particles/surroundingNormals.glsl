@@ -1,4 +1,4 @@
-// Places a quad over each texel of a row, by gl_VertexID, and gives the texel's world-space normal.
+// Places a quad over each texel of a row, by gl_VertexID, and sets the texel's world-space normal.
 int farol_texelIndex = gl_VertexID / 6;
 int farol_texelCorner = gl_VertexID % 6;
 bool farol_isRightCorner = farol_texelCorner == 1 || farol_texelCorner == 2 || farol_texelCorner == 4;

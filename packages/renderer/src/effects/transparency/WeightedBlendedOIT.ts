@@ -25,13 +25,11 @@ import { isDrawnAsCanvas, setDrawnAsCanvas } from '../../three/drawnAsCanvas';
 const CLEAR = new Vector4(0, 0, 0, 1);
 
 /**
- * Weighted blended order-independent transparency: transparent things need no sorting, may pass through one another, and
- * never pop as their order changes. All layers of a pixel are averaged, weighted by opacity and nearness; how much they hide
- * of what is behind is exact. One layer looks as it does when sorted; several of them are an approximation. Materials
- * with other blending than normal, without depth test, or with shaders that write outputs of their own are laid over
- * afterwards, sorted as ever. Layers write no depth.
- *
- * Works with every technique but `inferred`, whose stippled layers stay sorted.
+ * Weighted blended order-independent transparency: transparent objects need no sorting, may intersect, and never pop as their
+ * order changes. All layers of a pixel are averaged, weighted by opacity and nearness; their total opacity is exact. One layer
+ * looks as if sorted; several are an approximation. Materials with another blending than NormalBlending, without depth test, or
+ * with shaders that write their own outputs are drawn afterwards, sorted. Layers write no depth. Works with every technique
+ * except `inferred`, whose stippled layers are sorted.
  * @see McGuire and Bavoil 2013, Weighted Blended Order-Independent Transparency, https://jcgt.org/published/0002/02/09/
  */
 export class WeightedBlendedOIT implements FarolEffect {

@@ -13,7 +13,7 @@ import type { TwinKind } from '../../materials/TwinKind';
 import type { RenderItem } from '../../frame/RenderItem';
 import weightedColor from './weightedColor.glsl?raw';
 
-/** One blend function for both attachments: sums in colour, the product of what is let through in alpha. */
+/** One blend function for both attachments: sums in rgb, the product of transmittances in alpha. */
 const BLENDING = {
   blending: CustomBlending,
   blendEquation: AddEquation,
@@ -38,7 +38,7 @@ export function weightedTwin(kind: TwinKind): TwinKind {
   };
 }
 
-/** True for materials blended by their opacity; other blending is independent of order, or relies on it. */
+/** True for materials blended by their opacity; other blendings are independent of order, or rely on it. */
 export function isWeighted({ material, shading }: RenderItem): boolean {
   const shader = material as ShaderMaterial & { isRawShaderMaterial?: boolean };
   const ownOutputs = shader.isRawShaderMaterial === true || shader.glslVersion === GLSL3;

@@ -7,25 +7,25 @@ const MOST = 64;
 /** Maximum number of frames averaged after lights have changed. */
 const CHANGED = 3;
 
-/** Froxels of the frames before, for one camera. */
+/** Froxels of earlier frames, for one camera. */
 export class FogHistory {
   readonly lights = new LightWatch();
-  /** From world space to view space, in the last frame. */
+  /** View matrix of the last frame. */
   readonly view = new Matrix4();
-  /** x and y scale of the last frame's projection, and its x and y shift. */
+  /** Last frame's projection: xy scale, zw shift. */
   readonly ray = new Vector4();
-  /** Frames drawn; chooses the place in the froxels. */
+  /** Number of frames drawn; selects the sample position within froxels. */
   frame = 0;
-  /** Frames in the mean; 0 for none. */
+  /** Number of frames in the mean. */
   count = 0;
-  /** Weight of this frame in slices that it lights; `otherShare`: in slices that it does not light. */
+  /** Weight of this frame in slices that it computes; `otherShare`: in the other slices. */
   share = 1;
   otherShare = 1;
-  /** Frames since lights changed. */
+  /** Number of frames since lights changed. */
   private sinceLit = Infinity;
-  /** Lights of the last frame. */
+  /** Number of lights in the last frame. */
   lightCount = 0;
-  /** Sum over the settings of the last frame, by which changes are found. */
+  /** Checksum of the last frame's settings, to detect changes. */
   settingsHash = 0;
   private readonly textures = [new FroxelTexture(), new FroxelTexture()];
 
@@ -44,12 +44,12 @@ export class FogHistory {
   }
 
   /**
-   * Counts a frame, by what has changed since the last.
-   * @param most - frames in the mean while things move
+   * Counts a frame, and sets the weights by its changes.
+   * @param most - number of frames in the mean while something moves
    * @param changed - whether lights have changed
-   * @param isStill - whether neither the camera nor shadows nor the noise have
-   * @param turns - frames in which each slice is lit once
-   * @param forgets - frames in which the mean stays short after lights have changed
+   * @param isStill - whether camera, shadows and noise have not changed
+   * @param turns - number of frames in which each slice is computed once
+   * @param forgets - number of frames after a change of lights in which the mean stays short
    */
   note(most: number, changed: boolean, isStill: boolean, turns = 1, forgets = 0): void {
     this.sinceLit = changed ? 0 : this.sinceLit + 1;
@@ -58,11 +58,11 @@ export class FogHistory {
     const limit = isLit ? Math.min(CHANGED, most) : isStill ? MOST * turns : Math.max(most, turns > 1 ? 2 * turns : 1);
     this.count = Math.min(this.count + 1, limit);
     this.share = 1 / (isLit ? this.count : Math.ceil(this.count / turns));
-    // a slice that waits for its turn shows what is lit beside it, rather than light that is gone
+    // when lights change, slices not computed yet copy a neighbouring slice instead of showing old light
     this.otherShare = isFirst ? 1 : isLit ? this.share : 0;
   }
 
-  /** Ends a frame: it is the last one from now on. */
+  /** Ends a frame: its froxels become `previous`. */
   advance(camera: Camera): void {
     const { elements: e } = camera.projectionMatrix;
     this.view.copy(camera.matrixWorldInverse);
@@ -70,7 +70,7 @@ export class FogHistory {
     this.frame++;
   }
 
-  /** Forgets the frames before, and begins with the first place in the froxels. */
+  /** Forgets earlier frames, and restarts the sample positions. */
   restart(): void {
     this.count = this.frame = 0;
   }

@@ -3,7 +3,7 @@ import type { Frame } from '../../frame/Frame';
 import type { FogVolume } from './FogVolume';
 import type { VolumetricFog } from './VolumetricFog';
 
-/** Maximum number of volumes in view that are drawn; as FAROL_MOST_VOLUMES in fogMedium.glsl. */
+/** Maximum number of volumes in view that are drawn; fogMedium.glsl repeats it as FAROL_MOST_VOLUMES. */
 const MOST_VOLUMES = 16;
 
 const many = <T>(make: () => T): { readonly value: T[] } => ({ value: Array.from({ length: MOST_VOLUMES }, make) });
@@ -21,7 +21,7 @@ export class FogMedium {
     farol_fogVolumeScatter: many(() => new Vector4()),
     farol_fogVolumeShape: many(() => new Vector2()),
   };
-  /** Checksum of all settings but time: it changes with any of them, and the history is then dropped. */
+  /** Checksum of all settings except time; the history is dropped when it changes. */
   settingsHash = 0;
   /** Whether the noise has moved since the last frame. */
   drifts = false;

@@ -1,6 +1,6 @@
 import { BoxGeometry, Color, Mesh, RawShaderMaterial } from 'three';
 
-/** Geometry and material that three draws for a volume: nothing visible; VolumetricFog reads the object. */
+/** Material that three draws a volume with: nothing visible; VolumetricFog reads the object. */
 const nothing = new RawShaderMaterial({
   name: 'Farol fog volume',
   transparent: true,
@@ -19,8 +19,8 @@ export const fogShapes = ['box', 'sphere'] as const;
 export type FogShape = (typeof fogShapes)[number];
 
 /**
- * Fog in a box or an ellipsoid, added to that of the scene: a unit cube, or the ball in it, round the object's origin, sized by
- * `scale` (m). Without the effect `VolumetricFog` nothing of it is seen.
+ * Fog in a box or an ellipsoid, added to the scene's: a unit cube, or the ball in it, around the object's origin, sized
+ * by `scale` (m). Without the effect `VolumetricFog` it is invisible.
  *
  * @example
  * const mist = new FogVolume('sphere');
@@ -30,11 +30,11 @@ export type FogShape = (typeof fogShapes)[number];
  */
 export class FogVolume extends Mesh {
   readonly isFogVolume = true;
-  /** Extinction coefficient (1/m) in the middle; below 0 it takes other fog away, as in a room. Default 0.2. */
+  /** Extinction coefficient (1/m) in the middle; below 0 it removes other fog, as inside a room. Default 0.2. */
   density = 0.2;
-  /** Share of light that is scattered, not absorbed, by colour (linear). Default white. */
+  /** Share of the extinguished light that is scattered, not absorbed, by colour (linear). Default white. */
   readonly albedo = new Color(1, 1, 1);
-  /** Share of the way from the edge to the middle over which the fog grows to its density, 0 to 1. Default 0.5. */
+  /** Share of the distance from edge to middle over which the fog reaches its density, 0 to 1. Default 0.5. */
   softness = 0.5;
 
   constructor(public shape: FogShape = 'box') {
@@ -42,6 +42,6 @@ export class FogVolume extends Mesh {
     this.name = 'Fog volume';
   }
 
-  /** Rays pass: nothing of it can be hit. */
+  /** Does nothing: raycasters do not hit fog. */
   override raycast(): void {}
 }

@@ -4,7 +4,7 @@ import { textureHandle } from '../../three/handles';
 import type { Froxels } from './froxels';
 import { bindFramebuffer } from '../../three/state';
 
-/** A value a froxel, in half floats: a 3D texture that is drawn to by several slices at once. */
+/** 3D texture with a texel of half floats for each froxel; one draw writes several slices. */
 export class FroxelTexture {
   private target: WebGL3DRenderTarget | null = null;
   private framebuffers: WebGLFramebuffer[] = [];
@@ -20,7 +20,7 @@ export class FroxelTexture {
     return width * height * depth * 8;
   }
 
-  /** Makes the texture, or makes it anew for another size. @param size - froxels across, up, away */
+  /** Creates the texture, again for another size. @param size - froxels across, up and in depth */
   fit([width, height, depth]: Froxels): void {
     const { target } = this;
     if (target !== null && target.width === width && target.height === height && target.depth === depth) return;
@@ -36,7 +36,7 @@ export class FroxelTexture {
   /** Binds slices for the draws that follow. @param draw - index of the draw, each of `layers` slices */
   bind(frame: Frame, draw: number, layers: number): void {
     const { gl, webgl } = frame;
-    frame.bind(this.target as unknown as WebGLRenderTarget); // sets the viewport, and makes the texture
+    frame.bind(this.target as unknown as WebGLRenderTarget); // sets the viewport, and allocates the texture
     const handle = textureHandle(webgl, this.target!.texture)!;
     if (handle !== this.attached) this.attach(frame, handle, layers);
     bindFramebuffer(webgl, gl.FRAMEBUFFER, this.framebuffers[draw]);
@@ -64,7 +64,7 @@ export class FroxelTexture {
 
   private detach(): void {
     for (const framebuffer of this.framebuffers) {
-      // a lost context has taken its framebuffers along
+      // framebuffers of a lost context are gone
       if (this.gl?.isFramebuffer(framebuffer)) this.gl.deleteFramebuffer(framebuffer);
     }
     this.framebuffers = [];

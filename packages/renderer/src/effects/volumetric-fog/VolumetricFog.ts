@@ -21,19 +21,18 @@ import { FroxelTexture } from './FroxelTexture';
 import { halton } from '../antialiasing/halton';
 import mediaOn from './mediaOn.glsl?raw';
 
-/** Registries whose shaders have code for fog. The code stays, so that nothing is compiled twice. */
+/** Registries whose shaders have code for fog; it is never removed, so that nothing is compiled twice. */
 const adapted = new WeakSet<MicroShaderRegistry>();
 
-/** Whether two scales of projections are the same but for rounding. */
+/** Whether two scales of projections are equal up to rounding. */
 const near = (a: number, b: number): boolean => Math.abs(a - b) < 1e-6;
 
 /**
- * Fog that the scene's lights light, with their shadows, cookies and profiles: halos, beams and shafts. Over opaque and transparent
- * things and the background, by every technique. Local fog: {@link FogVolume}.
- *
- * The picture is cut into froxels, cells of pixels and depth; in each, light is found once a frame, joined with that of the frames
- * before, and added up from the eye on. Fog ends at `distance`. Needs a PerspectiveCamera; with others it is left out, and a
- * warning says so. Materials with `fog: false`, node materials and shaders with outputs of their own are drawn without it.
+ * Fog lit by the scene's lights, with their shadows, cookies and profiles: halos, beams and shafts. Over opaque and
+ * transparent objects and the background, with every technique. Local fog: {@link FogVolume}. The view is divided into
+ * froxels, cells of pixels and depth; the light in each is computed once a frame, averaged with earlier frames', and
+ * summed from the eye on. Fog ends at `distance`. Needs a PerspectiveCamera; with others it is left out with a warning.
+ * Materials with `fog: false`, node materials and shaders that write their own outputs are drawn without it.
  *
  * @example
  * const fog = new VolumetricFog();
@@ -46,34 +45,34 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
   readonly name = 'volumetric fog';
   readonly after = ['opaque'] as const;
   readonly lacks = lacksFloatTargets;
-  /** Extinction coefficient (1/m): a share of 1 - 1/e of the light is lost on a way of 1 / density. Default 0.03. */
+  /** Extinction coefficient (1/m): a share of 1 - 1/e of the light is lost over 1 / density. Default 0.03. */
   density = 0.03;
-  /** Share of light that is scattered, not absorbed, by colour (linear). Default white. */
+  /** Share of the extinguished light that is scattered, not absorbed, by colour (linear). Default white. */
   readonly albedo = new Color(1, 1, 1);
-  /** Mean cosine of scattering, above -1 (back) and below 1 (on): lights have halos above 0. Default 0.3. */
+  /** Mean cosine of scattering, above -1 (backward), below 1 (forward); above 0, lights have halos. Default 0.3. */
   anisotropy = 0.3;
-  /** Height (m, world space) up to which the fog has its density. Default 0. */
+  /** Height (m, world space) up to which the fog has its full density. Default 0. */
   height = 0;
-  /** Rise (m) above `height` over which the density falls to 1/e; 0: it does not fall. Default 0. */
+  /** Distance (m) above `height` over which the density falls to 1/e; 0: no fall. Default 0. */
   falloff = 0;
   /** Distance along the view at which fog ends (m), above 0. Default 100. */
   distance = 100;
-  /** How much clouds of noise vary the density, 0 to 1. Default 0. */
+  /** Strength of clouds (noise) in the density, 0 to 1. Default 0. */
   noise = 0;
   /** Size of the clouds (m), above 0. Default 4. */
   noiseSize = 4;
   /** Velocity of the clouds (m/s, world space). Default 0.5 m/s along x. */
   readonly wind = new Vector3(0.5, 0, 0);
-  /** Time (s) by which the clouds drift; null: the page's. Default null. */
+  /** Time (s) at which the drifting clouds are drawn; null: the page's clock. Default null. */
   time: number | null = null;
-  /** Frames in the mean while things move, 1 for none but the present one. Default 12. */
+  /** Number of frames averaged while something moves; 1 for no averaging. Default 12. */
   frames = 12;
   /** Froxels of the last frame, see `FroxelBuffer`; null before the first. */
   scattered: Data3DTexture | null = null;
   private chosen: Froxels | null = null;
   private work: FogWork = fogWork(false, false);
   private isSoftware: boolean | null = null;
-  /** Frames in which each slice is lit once. */
+  /** Number of frames in which each slice is computed once. */
   private turns = 1;
   private isOn = false;
   private isMade = false;
@@ -100,8 +99,8 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
   private readonly viewport = new Vector4();
 
   /**
-   * Froxels across, up and away, which is a multiple of 8. Default by the device, from its first frame on:
-   * `fogQualities.medium`, 160 × 90 × 64; `low` with the quality 'lite'; `lowest` where a software rasteriser draws. Null: the default.
+   * Numbers of froxels across, up and in depth (a multiple of 8); null for the default. Default by the device, from the first
+   * frame on: `fogQualities.medium`, 160 × 90 × 64; `low` with the quality 'lite'; `lowest` with a software rasteriser.
    * @throws RangeError for numbers that a grid cannot have
    */
   get froxels(): Froxels {
@@ -112,7 +111,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     this.chosen = froxels === null ? null : checkFroxels(froxels);
   }
 
-  /** Frames of a still scene after which its picture changes hardly, on the device of the last frame. */
+  /** Number of frames after which a still scene's picture hardly changes, on the device of the last frame. */
   get stillFrames(): number {
     return Math.max(this.work.stillFrames, 2 * this.turns);
   }
@@ -157,7 +156,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     space[2] = 1 / z;
     space[3] = 1 / w;
     if (isFirst || !isTransmission) return;
-    // everything opaque is in three's transmission target by now
+    // three's transmission target holds all opaque objects by now
     this.cover(frame);
     frame.resolveTransmission();
   }
@@ -198,7 +197,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     this.frame = null;
   }
 
-  /** Fogs what is farthest away in the bound target: the background, whatever drew it. */
+  /** Draws fog over the farthest depth of the bound target: the background, by whatever it was drawn. */
   private cover(frame: Frame): void {
     const { uniforms } = this.background;
     uniforms.farol_farthest.value = isDepthReversed(frame.webgl) ? 0 : 1;
@@ -210,7 +209,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     return sliceDepth(edge, this.froxels[2], this.distance);
   }
 
-  /** Draws the frame's froxels; the target that is bound stays so. */
+  /** Draws the frame's froxels; restores the bound target. */
   private make(frame: Frame): void {
     this.isMade = true;
     const { grid, integrated, medium } = this;
@@ -220,11 +219,11 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     this.work = fogWork(frame.isLite, this.isSoftware);
     const size = this.froxels;
     const history = this.historyOf(this.camera);
-    // records of lights in the light table, which the renderer would draw later
+    // writes the fields' lights to the light table, which the renderer would do later
     if (frame.fields?.isDrawn === false) frame.fields.render();
     medium.read(this, frame);
     const lights = frame.lights.directionals.length + frame.lights.unboundeds.length + frame.lights.listed;
-    // without a mean there is nothing to wait for a turn with
+    // without averaging, each frame computes all slices
     this.turns = this.frames <= 1 ? 1 : turnsOf(size, lights, this.work.sums, layers);
     this.note(frame, history, lights);
     grid.farol_fogGrid.value.set(size);
@@ -293,7 +292,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     uniforms.farol_fogOtherShare.value = history.otherShare;
   }
 
-  /** Finds how many frames the history is the mean of, by what has changed. */
+  /** Tells the history of changes, which set the number of frames in its mean. */
   private note({ camera, lights, fields, shadowMapsDrawn }: Frame, history: FogHistory, lightCount: number): void {
     const { medium, turns, work } = this;
     if (history.settingsHash !== medium.settingsHash) history.count = 0;
@@ -302,7 +301,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     const { x, y } = history.ray;
     const isStill = !medium.drifts && fields === null && shadowMapsDrawn === 0;
     const isSeenAlike = history.view.equals(camera.matrixWorldInverse) && near(e[0], x) && near(e[5], y);
-    // a camera that moves has other lights in view, which are no change
+    // a moving camera sees other lights, which is no change of lights
     const isOther = isSeenAlike && lightCount !== history.lightCount;
     history.lightCount = lightCount;
     const changed = history.lights.changed(lights) || isOther;

@@ -1,4 +1,4 @@
-// Fog over the background, whose colours are in the target's encoding: mixed there, as three's own fog is.
+// Fog over the background, mixed in the target's encoding, as three's own fog is.
 // three.js r187 tonemapping_fragment, colorspace_fragment
 #include "media"
 //# main

@@ -1,5 +1,5 @@
-// Adds the froxels of each column up from the eye: light scattered to it, and transmittance, at the end of each slice.
-// Hillaire 2015, Physically Based and Unified Volumetric Rendering in Frostbite (integral of a slice)
+// Sums the froxels of each column from the eye on: scattered light and transmittance between the eye and the end of
+// each slice. Hillaire 2015, Physically Based and Unified Volumetric Rendering in Frostbite (integral of a slice)
 #include "fogSlices"
 uniform highp sampler3D farol_froxels;
 layout(location = 0) out highp vec4 farol_froxel0;
@@ -12,7 +12,7 @@ layout(location = 5) out highp vec4 farol_froxel5;
 layout(location = 6) out highp vec4 farol_froxel6;
 layout(location = 7) out highp vec4 farol_froxel7;
 #endif
-float farol_fogLength; // of the ray for a depth of 1 m (m)
+float farol_fogLength; // length of the ray for a depth of 1 m (m)
 vec4 farol_fogSum = vec4(0.0, 0.0, 0.0, 1.0);
 
 vec4 farol_addSlice(const in int slice) {

@@ -2,7 +2,7 @@
 // Olsson, Billeter and Assarsson 2012, Clustered Deferred and Forward Shading
 #include "lightTable"
 #include "fogSlices"
-uniform highp ivec2 farol_fogBlocks; // blocks across and up
+uniform highp ivec2 farol_fogBlocks; // number of blocks across and up
 layout(location = 0) out highp uvec4 farol_lights;
 //# main
 ivec2 texel = ivec2(gl_FragCoord.xy);

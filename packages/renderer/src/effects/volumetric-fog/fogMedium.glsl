@@ -2,13 +2,13 @@
 // Wronski 2014, Volumetric Fog; O'Neill 2014, PCG (hash of the noise, as Jarzynski and Olano 2020 name it: pcg3d)
 #define FAROL_MOST_VOLUMES 16
 uniform highp vec4 farol_fogScatter; // rgb: scattering coefficient (1/m); a: extinction (1/m)
-// full up to this height (m); 1 / falloff (1/m), 0: none; share of noise; 1 / size of noise (1/m)
+// x: height of full density (m); y: 1 / falloff (1/m), 0: no falloff; z: strength of the noise; w: 1 / its size (1/m)
 uniform highp vec4 farol_fogHeight;
-uniform highp vec3 farol_fogDrift; // how far (m) the noise has drifted
+uniform highp vec3 farol_fogDrift; // drift of the noise (m)
 uniform highp int farol_fogVolumes; // number of local volumes
 uniform highp mat4 farol_fogVolumeInverse[FAROL_MOST_VOLUMES]; // from world space to the unit box
-uniform highp vec4 farol_fogVolumeScatter[FAROL_MOST_VOLUMES]; // as farol_fogScatter; negative takes away
-uniform highp vec2 farol_fogVolumeShape[FAROL_MOST_VOLUMES]; // x: 1 for spheres; y: 1 / share that fades out
+uniform highp vec4 farol_fogVolumeScatter[FAROL_MOST_VOLUMES]; // as farol_fogScatter; negative values remove fog
+uniform highp vec2 farol_fogVolumeShape[FAROL_MOST_VOLUMES]; // x: 1 for spheres; y: 1 / softness
 
 float farol_fogHash(const in ivec3 cell) {
   uvec3 v = uvec3(cell) * 1664525u + 1013904223u;

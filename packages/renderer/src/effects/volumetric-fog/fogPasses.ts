@@ -26,11 +26,11 @@ const noTexture = () => ({ value: null as Texture | null });
 
 /** Uniforms of fogSlices.glsl and of the blocks of froxels, shared by the passes. */
 export type GridUniforms = {
-  /** Froxels across, up and away; first slice of a draw. */
+  /** Number of froxels across, up and in depth; first slice of a draw. */
   readonly farol_fogGrid: { readonly value: Int32Array };
   readonly farol_fogSlices: { readonly value: Vector2 };
   readonly farol_fogRay: { readonly value: Vector4 };
-  /** Blocks of 8 × 8 froxels across and up. */
+  /** Number of blocks of 8 × 8 froxels across and up. */
   readonly farol_fogBlocks: { readonly value: Int32Array };
 };
 
@@ -48,7 +48,7 @@ export function fogLightsPass(grid: GridUniforms) {
   });
 }
 
-/** Makes the pass that finds what froxels scatter. @param layers - slices of a draw */
+/** Makes the pass that computes the light that froxels scatter. @param layers - number of slices of a draw */
 export function fogScatterPass(grid: GridUniforms, medium: MediumUniforms, layers: number) {
   return new FullscreenPass({
     program: 'light in fog',
@@ -74,7 +74,7 @@ export function fogScatterPass(grid: GridUniforms, medium: MediumUniforms, layer
   });
 }
 
-/** Makes the pass that adds froxels up from the eye on. @param layers - slices of a draw */
+/** Makes the pass that sums froxels from the eye on. @param layers - number of slices of a draw */
 export function fogIntegratePass(grid: GridUniforms, layers: number) {
   return new FullscreenPass({
     program: 'fog to the eye',
@@ -87,7 +87,7 @@ export function fogIntegratePass(grid: GridUniforms, layers: number) {
   });
 }
 
-/** Makes the pass that lays fog over what is farthest away. */
+/** Makes the pass that draws fog over the background. */
 export function fogBackgroundPass() {
   return new FullscreenPass({
     program: 'fog over background',

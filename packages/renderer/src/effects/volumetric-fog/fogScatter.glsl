@@ -1,4 +1,4 @@
-// Light that each froxel scatters to the eye per metre, and its extinction, joined with that of earlier frames.
+// Light that each froxel scatters to the eye per metre, and its extinction, averaged with earlier frames'.
 // Wronski 2014, Volumetric Fog
 #include "ambientLight"
 #include "incidentLight"
@@ -7,15 +7,15 @@
 #include "fogPhase"
 #include "fogSlices"
 uniform highp usampler2D farol_fogLights; // bits of lights, see fogLights.glsl
-uniform highp ivec2 farol_fogBlocks; // blocks of froxels across and up
+uniform highp ivec2 farol_fogBlocks; // number of blocks of froxels across and up
 uniform highp sampler3D farol_fogBefore; // froxels of the last frame
-uniform highp mat4 farol_fogToWorld; // from view space
-uniform highp mat4 farol_fogToBefore; // from view space to that of the last frame
-uniform highp vec4 farol_fogRayBefore; // x and y scale of the last frame's projection, and its x and y shift
-uniform highp vec4 farol_fogShare; // xyz: place in the froxel (-0.5 to 0.5); w: share of this frame
-// number of slices of which one is lit in a frame; index of that one among them
+uniform highp mat4 farol_fogToWorld; // from view space to world space
+uniform highp mat4 farol_fogToBefore; // from view space to the last frame's view space
+uniform highp vec4 farol_fogRayBefore; // last frame's projection: xy scale, zw shift
+uniform highp vec4 farol_fogShare; // xyz: sample position in the froxel (-0.5 to 0.5); w: share of this frame
+// x: number of slices of which one is computed in a frame; y: index of that slice among them
 uniform highp ivec2 farol_fogTurn;
-uniform highp float farol_fogOtherShare; // share of the lit slice in the others
+uniform highp float farol_fogOtherShare; // share of the computed slice in the other slices
 uniform highp float farol_anisotropy;
 layout(location = 0) out highp vec4 farol_froxel0;
 layout(location = 1) out highp vec4 farol_froxel1;
@@ -27,12 +27,12 @@ layout(location = 5) out highp vec4 farol_froxel5;
 layout(location = 6) out highp vec4 farol_froxel6;
 layout(location = 7) out highp vec4 farol_froxel7;
 #endif
-// sums for the point at hand
+// current point and its sums
 vec3 farol_fogPosition;
-vec3 farol_fogView; // from the eye, unit length
+vec3 farol_fogView; // direction from the eye, unit length
 vec3 farol_fogLight;
 
-// area light: by the irradiance of a surface that faces its middle; of a rectangle, of the brightest direction
+// area light: irradiance of a surface that faces its middle; for a rectangle, in the brightest direction
 void farol_addAreaToFog(const in FarolLight light) {
 #ifdef FAROL_AREA_LIGHTS
   vec3 toLight = light.direction * light.distance;
@@ -65,7 +65,7 @@ void farol_addToFog(const in FarolLight light) {
   farol_fogLight += color * farol_phase(dot(light.direction, farol_fogView), farol_anisotropy);
 }
 
-// light that a froxel scatters in this frame, and extinction
+// light that a froxel scatters in this frame, and its extinction
 vec4 farol_scatteredAt(const in int slice) {
   vec2 size = vec2(farol_fogGrid.xy);
   vec2 place = (gl_FragCoord.xy + farol_fogShare.xy) / size;
@@ -75,7 +75,7 @@ vec4 farol_scatteredAt(const in int slice) {
   vec4 froxel = vec4(0.0, 0.0, 0.0, medium.a);
   if (medium.a > 0.0) {
     farol_fogView = normalize(farol_fogPosition);
-    // radiance of ambient light: its mean, and as much of its slope as the phase function keeps
+    // radiance of ambient light: its mean, and the part of its slope that the phase function keeps
     farol_fogLight = max(vec3(0.0), 0.3183098862 * farol_ambient
       + 0.4774648293 * farol_anisotropy * (farol_ambientSlopes * farol_fogView));
     int first = farol_lightCounts.x + farol_lightCounts.y;
@@ -97,7 +97,7 @@ vec4 farol_scatteredAt(const in int slice) {
   return froxel;
 }
 
-// a froxel joined with what earlier frames have there
+// a froxel averaged with earlier frames' at its position
 vec4 farol_joined(const in int slice, const in vec4 froxel, const in float share) {
   if (share < 1.0) {
     vec3 middle = farol_fogRayAt(gl_FragCoord.xy / vec2(farol_fogGrid.xy)) * farol_fogDepth(float(slice) + 0.5);
@@ -111,7 +111,7 @@ vec4 farol_joined(const in int slice, const in vec4 froxel, const in float share
 }
 //# main
 vec4 lit;
-// a loop, since eight copies of the function would take long to compile
+// a loop, since eight inlined copies of the function would compile slowly
 for (int i = 0; i < FAROL_FOG_LAYERS; i++) {
   int slice = farol_fogGrid.w + i;
   int place = i % farol_fogTurn.x;

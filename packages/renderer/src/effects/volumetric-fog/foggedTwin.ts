@@ -28,7 +28,7 @@ const COLOUR: Record<Blend, string> = {
   multiplied: 'mix(vec3(1.0), gl_FragColor.rgb, media.a)',
 };
 
-/** Objects at the far end of depth, such as a sky, are fogged with the background. */
+/** GLSL that applies fog, except at the far end of depth (such as a sky), which is fogged with the background. */
 const statement = (blend: Blend): string => `if (gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0) {
   vec4 media = farol_mediaAt(1.0 / gl_FragCoord.w);
   gl_FragColor.rgb = ${COLOUR[blend]};
@@ -48,7 +48,7 @@ function blendOf({ blending, blendSrc, blendDst, transparent }: Material): Blend
   return blendSrc === OneFactor ? 'premultiplied' : 'over';
 }
 
-/** Whether a draw of a material with a kind of twin writes a colour that fog lies before. */
+/** Whether a draw of a material by a kind of twin writes a colour to be fogged. */
 export function isFogged(kind: TwinKind, material: Material): boolean {
   const { role } = kind;
   if (role === 'gbuffer' || kind.isSum === true) return false;
@@ -61,7 +61,7 @@ export function isFogged(kind: TwinKind, material: Material): boolean {
   return isRawShaderMaterial !== true && glslVersion !== GLSL3 && !(material instanceof OutputMaterial);
 }
 
-/** Twin kind of a draw with the fog between the eye and what it draws, before tone mapping. */
+/** Twin kind of a draw with the fog between the eye and its surface, applied before tone mapping. */
 export function foggedTwin(kind: TwinKind): TwinKind {
   const variant = (source: Material) => `${kind.variant?.(source) ?? ''}${blendOf(source)}`;
   return {
@@ -75,7 +75,7 @@ export function foggedTwin(kind: TwinKind): TwinKind {
       let text = shader.fragmentShader;
       text = before === null ? beforeLastBrace(text, fog) : text.replace(before, () => `${fog}\n${before}`);
       const lookUp = findChunk(text, 'transmission_pars_fragment');
-      // what glass shows is fogged up to the eye already, and is to be so only up to the glass
+      // the picture behind glass is fogged up to the eye already: keeps only the fog behind the glass
       if (lookUp !== null) text = text.replace(lookUp, () => `${mediaOn}\n${GLASS}`);
       else text = text.replace(MAIN, (main) => `${mediaOn}\n${main}`);
       shader.fragmentShader = text;

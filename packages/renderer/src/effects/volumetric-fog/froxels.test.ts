@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { phase, sliceDepth, slicesBefore } from './froxels';
+import { sliceDepth } from './froxels';
 
 /** Scattered light and transmittance of even fog as fogIntegrate.glsl adds slices up. */
 function integrate(extinction: number, source: number, depth: number, slices: number): [number, number] {
@@ -24,13 +24,6 @@ describe('the slices of depth', () => {
     }
   });
 
-  it('are found by depth again, and end at the last', () => {
-    for (let i = 0; i <= 32; i += 0.25) expect(slicesBefore(sliceDepth(i, 32, 40), 32, 40)).toBeCloseTo(i, 9);
-    expect(slicesBefore(-1, 32, 40)).toBe(0);
-    expect(slicesBefore(41, 32, 40)).toBe(32);
-    expect(slicesBefore(Infinity, 32, 40)).toBe(32);
-  });
-
   it.each([
     [0.01, 32],
     [0.05, 64],
@@ -44,20 +37,4 @@ describe('the slices of depth', () => {
       expect(light).toBeCloseTo((0.3 / extinction) * (1 - Math.exp(-extinction * depth)), 9);
     },
   );
-});
-
-describe('the phase function', () => {
-  it.each([-0.8, -0.3, 0, 0.2, 0.6, 0.9])('of anisotropy %d is 1 over all directions, with that mean cosine', (g) => {
-    const steps = 200_000;
-    let sum = 0;
-    let mean = 0;
-    for (let i = 0; i < steps; i++) {
-      const cosine = ((i + 0.5) / steps) * 2 - 1;
-      const share = (phase(cosine, g) * 4 * Math.PI) / steps;
-      sum += share;
-      mean += share * cosine;
-    }
-    expect(sum).toBeCloseTo(1, 6);
-    expect(mean).toBeCloseTo(g, 6);
-  });
 });

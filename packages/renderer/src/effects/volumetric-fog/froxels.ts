@@ -1,35 +1,20 @@
-/** Exponent of the slices: the last is e to this power as thick as the first, about. */
+/** Exponent of the slices: the last is about e to this power times as thick as the first. */
 export const EXPONENT = 4;
 
 /**
- * Scale (m) of the slices of depth between the eye and a distance: slice edge `i` of `n` lies at `scale (e^(4 i / n) - 1)`.
+ * Scale (m) of the slices of depth between the eye and a distance: edge `i` of `n` slices is at `scale (e^(4 i / n) - 1)`.
  * @param distance - depth at which the last slice ends (m), above 0
  */
 export function sliceScale(distance: number): number {
   return distance / Math.expm1(EXPONENT);
 }
 
-/** Depth (m) of a slice's edge. @param edge - 0 (the eye) to `slices` (the distance), fractions between edges */
+/** Depth (m) of a slice's edge. @param edge - 0 (the eye) to `slices` (at `distance`), with fractions between edges */
 export function sliceDepth(edge: number, slices: number, distance: number): number {
   return sliceScale(distance) * Math.expm1((EXPONENT * edge) / slices);
 }
 
-/** Slices, with fractions, that end before a depth (m): the inverse of `sliceDepth`, `slices` beyond the distance. */
-export function slicesBefore(depth: number, slices: number, distance: number): number {
-  return Math.min(1, Math.log1p(Math.max(0, depth) / sliceScale(distance)) / EXPONENT) * slices;
-}
-
-/**
- * Phase function of Henyey and Greenstein: share of light that is scattered by an angle, per steradian; over all directions 1.
- * @param cosine - of the angle between the light's ways before and after
- * @param anisotropy - mean cosine: -1 (back) to 1 (on), both left out; 0 is even
- */
-export function phase(cosine: number, anisotropy: number): number {
-  const squared = anisotropy ** 2;
-  return (1 - squared) / (4 * Math.PI * (1 + squared - 2 * anisotropy * cosine) ** 1.5);
-}
-
-/** Froxels across, up and away. */
+/** Number of froxels across, up and in depth. */
 export type Froxels = readonly [number, number, number];
 
 /** Numbers of froxels, by quality. */

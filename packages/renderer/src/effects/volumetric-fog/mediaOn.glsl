@@ -1,7 +1,7 @@
 // Light on its way to the eye through fog, from the integrated froxels; replaces media once VolumetricFog is used.
 // Wronski 2014, Volumetric Fog: Unified Compute Shader Based Solution to Atmospheric Scattering (SIGGRAPH)
-uniform highp sampler3D farol_media; // up to the end of each slice: light scattered to the eye, transmittance
-// first pixel and 1 / size of the picture; 1 / scale (1/m), 1 / exponent and number of the slices, 1 while there is fog
+uniform highp sampler3D farol_media; // rgb: light scattered to the eye up to the end of each slice; a: transmittance
+// [0]: first pixel, 1 / size of the picture; [1]: slices' 1 / scale (1/m), 1 / exponent, number; 1 if there is fog
 uniform highp vec4 farol_mediaSpace[2];
 
 // fog between the eye and a depth (m, along the view) in this pixel: scattered radiance, transmittance
@@ -19,7 +19,7 @@ vec3 farol_throughMedia(const in vec3 radiance, const in float depth) {
   return radiance * media.a + media.rgb;
 }
 
-// light that was fogged up to its source, fogged from there to this pixel's depth alone: what glass lets through
+// light with fog from its source to the eye, changed to fog from its source to this pixel's depth only (behind glass)
 vec4 farol_behindMedia(const in vec4 fogged) {
   vec4 media = farol_mediaAt(1.0 / gl_FragCoord.w);
   return vec4(max(vec3(0.0), fogged.rgb - media.rgb) / max(media.a, 0.05), fogged.a);

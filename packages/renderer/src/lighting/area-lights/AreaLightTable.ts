@@ -7,7 +7,7 @@ import { needArea } from './areaFeatures';
 import { AREA, areaShapes } from './areaRecord';
 import { makeTransforms } from './makeTransforms';
 
-/** Finite stand-in for an infinite range of an area light (m). */
+/** Finite value for an infinite range of an area light (m). */
 const ENDLESS = 1e30;
 const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
@@ -19,8 +19,8 @@ export class AreaLightTable implements AreaRadii {
   private readonly transforms;
 
   /**
-   * @param uniform - uniform that gets the linearly transformed cosines
-   * @param microshaders - registry that gets code for the kinds of lights
+   * @param uniform - uniform for the table of linearly transformed cosines
+   * @param microshaders - registry to which code for the kinds of area lights is added
    */
   constructor(
     webgl: WebGLRenderer,
@@ -39,7 +39,7 @@ export class AreaLightTable implements AreaRadii {
     return reach === 0 ? 0 : reach + 0.5 * Math.hypot(width, height);
   }
 
-  /** Writes the extension record of a light. @param at - float of the table at which it begins */
+  /** Writes the extension record of a light. @param at - offset of the record in the table (floats) */
   write(table: DataTable, at: number, light: RectAreaLight, view: Matrix4): void {
     const shape = shapeOf(light);
     const world = light.matrixWorld;
@@ -72,7 +72,7 @@ export class AreaLightTable implements AreaRadii {
     const { range, shape } = dataOf(light);
     if (range !== undefined && range >= 0) return range;
     if (!(this.threshold > 0)) return 0;
-    // far from the light, irradiance is radiance × area / distance²; near the light it is less than that
+    // far from the light, irradiance is radiance × area / distance²; near the light it is less
     const { r, g, b } = light.color;
     const area = light.width * light.height * (shape === 'disc' ? Math.PI / 4 : 1);
     return Math.sqrt((Math.max(r, g, b) * Math.abs(light.intensity) * area) / this.threshold) || NaN;

@@ -1,6 +1,6 @@
-// Share of a lobe that an area light fills. The diffuse lobe is a cosine about z of tangent space, the specular one is
-// a cosine after a linear transform of that space.
-// Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly Transformed Cosines, as three.js r187 has it
+// Share of a lobe that an area light fills. The diffuse lobe is a cosine about z of tangent space, the specular lobe
+// a cosine after a linear transform of that space. Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly
+// Transformed Cosines; three.js r187
 #include "areaFeatures"
 #include "areaRecord"
 #include "discForm"
@@ -16,7 +16,7 @@ struct FarolArea {
   vec3 centre;
   vec3 halfWidth;
   vec3 halfHeight;
-  float window; // 1 up to half the light's reach, 0 from there on or behind the light
+  float window; // fade by range: 1 up to half the light's reach, 0 from the reach on and behind the light
 };
 
 // The diffuse and specular lobes of a surface, as linearly transformed cosines.
@@ -25,17 +25,17 @@ struct FarolAreaLobe {
   vec4 ltc; // inverse transform of the specular lobe, from farol_ltcAt(…, 0)
 };
 
-// table: 0 for the transform, 1 for Fresnel's weights; not to be called in a loop whose length differs by pixel, since
-// the lookup takes derivatives, as three's does
+// table: 0 for the transform, 1 for Fresnel's weights; not for loops whose length differs by pixel, since the texture
+// read uses derivatives, as in three
 vec4 farol_ltcAt(const in float roughness, const in float dotNV, const in float table) {
   vec2 place = vec2(roughness, sqrt(1.0 - clamp(dotNV, 0.0, 1.0))) * (63.0 / 64.0) + 0.5 / 64.0;
   return texture(farol_ltc, vec2(place.x, 0.5 * (place.y + table)));
 }
 
-// tangent space with x along the view; left-handed, as three's
+// tangent space with x along the view; left-handed, as in three
 FarolAreaLobe farol_areaLobe(const in vec3 normalVS, const in vec3 viewDirVS, const in vec4 ltc) {
   vec3 across = viewDirVS - normalVS * dot(viewDirVS, normalVS);
-  // seen along the normal, any tangent will do
+  // for a view along the normal, any tangent is right
   if (dot(across, across) < 1e-12)
     across = abs(normalVS.x) < 0.5
       ? vec3(1.0, 0.0, 0.0) - normalVS * normalVS.x
@@ -56,7 +56,7 @@ FarolArea farol_areaAt(const in int extension, const in vec3 toLight, const in v
 #else
   const bool isTube = false;
 #endif
-  // rectangles and discs shine to one side; a surface without a normal (NaN) is lit by none
+  // rectangles and discs light only one side; a surface without a normal (NaN) is not lit
   if (!(dot(normalVS, normalVS) > 0.5) || (!isTube && dot(cross(u, v), toLight) < 0.0)) return area;
   // vector to the nearest point of the light, whose edges are at right angles
   vec2 squared = vec2(dot(u, u), dot(v, v));
@@ -80,7 +80,7 @@ vec3 farol_toLobe(const in vec4 ltc, const in vec3 v) {
 }
 
 #if ( FAROL_AREA_KINDS & 2 ) != 0 // discs
-// a sphere of the same form factor, cut by the horizon: by three's table
+// share of a sphere with the same form factor above the horizon, from three's table
 float farol_discShare(const in vec3 centre, const in vec3 u, const in vec3 v) {
   vec2 form = farol_discForm(centre, u, v);
   vec2 place = vec2(form.y * 0.5 + 0.5, form.x) * (63.0 / 64.0) + 0.5 / 64.0;

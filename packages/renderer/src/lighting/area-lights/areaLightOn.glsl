@@ -1,11 +1,11 @@
 // Light of rectangles, discs and tubes by linearly transformed cosines; replaces areaLight once a scene has any.
-// Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly Transformed Cosines, as three.js r187 has it
+// Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly Transformed Cosines; three.js r187
 #include "areaForms"
 #define FAROL_AREA_LIGHTS
 // numbers of lights with a range: x: plain point lights; y: area lights
 uniform highp ivec2 farol_areaCounts;
 
-// gives a FarolLight the extension of an area light
+// sets the extension of a FarolLight to that of an area light
 #define FAROL_SET_AREA if (farol_lightIsArea(details)) { \
   light.extension = -light.extension; \
   light.color = farol_lightColor(emission); \
@@ -17,7 +17,8 @@ uniform highp ivec2 farol_areaCounts;
 #define FAROL_OTHER_LIGHTS (farol_lightCounts.w - farol_areaCounts.y)
 #define FAROL_SKIP_AREA(details) if (farol_lightIsArea(details)) return;
 
-// in FarolShading: the specular lobe's transform; sum of c times the lobe's share that a light fills, without Fresnel
+// members of FarolShading: the specular lobe's transform; sum of colour times the lobe's share that a light fills,
+// without Fresnel
 #define FAROL_AREA_SUM vec4 ltc; vec3 area;
 #define FAROL_BEGIN_AREA_SUM s.ltc = farol_ltcAt(roughness, dotNV, 0.0); s.area = vec3(0.0);
 #define FAROL_LOBE_OF(s) farol_areaLobe(s.normalVS, s.viewDirVS, s.ltc)
@@ -42,7 +43,7 @@ uniform highp ivec2 farol_areaCounts;
     vec4 details = farol_lightDetails(record); \
     if (farol_lightIsArea(details)) FAROL_ADD_LISTED_AREA \
   }
-// code for lights with a range (8) and without (16), each where the scene has had one: compilers copy it to each call
+// code for lights with a range (8) and without (16), each only if used: compilers inline it in each call
 #if ( FAROL_AREA_KINDS & 8 ) != 0
 #define FAROL_ADD_LISTED_AREA farol_addArea(s, lobe, farol_lightExtensionRecord(details), toLight, \
   farol_lightColor(emission), farol_lightMaskRecord(details));
@@ -63,7 +64,7 @@ uniform highp ivec2 farol_areaCounts;
   if (farol_areaCounts.y > 0 && farol_isPhysical(s)) farol_addListedArea(s, FAROL_LOBE_OF(s), record);
 #define FAROL_AREA_SPECULAR(s, f0, f90, roughness) + s.area * farol_areaFresnel(f0, f90, roughness, s.dotNV)
 
-// three's RE_Direct_RectArea_Physical, for physical materials alone
+// three's RE_Direct_RectArea_Physical, only for physical materials
 #ifdef STANDARD
   #define FAROL_BEGIN_AREAS \
     FarolAreaLobe farol_lobe = farol_areaLobe(geometryNormal, geometryViewDir, \

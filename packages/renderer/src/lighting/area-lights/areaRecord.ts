@@ -1,7 +1,7 @@
 import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
 import { recordGetters } from '../recordGetters';
 
-/** Shape of an area light, as its record stores it. */
+/** Codes of an area light's shape in its record. */
 export const areaShapes = { rectangle: 0, disc: 1, tube: 2 } as const;
 
 /**

@@ -32,7 +32,7 @@ vec3 farol_cubicRoots(const in float b, const in float c, const in float d) {
   return roots;
 }
 
-// u, v: conjugate half diameters; result: x: form factor, y: z of its direction
+// u, v: conjugate half diameters; returns x: form factor, y: z component of its direction
 vec2 farol_discForm(const in vec3 centre, const in vec3 u, const in vec3 v) {
   float uu = dot(u, u);
   float vv = dot(v, v);

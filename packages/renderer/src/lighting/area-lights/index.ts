@@ -21,12 +21,12 @@ export const microShaders = {
   tubeForm,
 };
 
-/** Registries whose shaders have code for area lights. The code stays, so that nothing is compiled twice. */
+/** Registries whose shaders have code for area lights; it is never removed, so that nothing is compiled twice. */
 const adapted = new WeakSet<MicroShaderRegistry>();
 
 /**
  * Makes the table of area lights, and adds code for them to shaders.
- * @param uniform - uniform that gets the linearly transformed cosines
+ * @param uniform - uniform for the table of linearly transformed cosines
  */
 export function makeAreaLights(
   webgl: WebGLRenderer,

@@ -5,8 +5,8 @@ import { RectAreaLightTexturesLib } from 'three/addons/lights/RectAreaLightTextu
 const SIZE = 64;
 
 /**
- * three's two tables of linearly transformed cosines in one texture, 64 × 128, the second above the first: a shader needs
- * one unit for it. In 32-bit floats where the device filters those, else in half floats, as three has them.
+ * Makes one texture, 64 × 128, of three's two tables of linearly transformed cosines, the second above the first, to use one
+ * texture unit. 32-bit floats if the device filters them, else half floats, as in three.
  */
 export function makeTransforms(webgl: WebGLRenderer): DataTexture {
   const tables = RectAreaLightTexturesLib.init();
@@ -17,7 +17,7 @@ export function makeTransforms(webgl: WebGLRenderer): DataTexture {
   data.set(first);
   data.set(second, first.length);
   const texture = new DataTexture(data, SIZE, 2 * SIZE, RGBAFormat, isFloat ? FloatType : HalfFloatType);
-  // as three's own tables, filtered when magnified alone
+  // only magFilter, as in three's own tables
   texture.magFilter = LinearFilter;
   texture.needsUpdate = true;
   return texture;

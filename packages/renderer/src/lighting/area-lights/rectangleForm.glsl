@@ -16,7 +16,7 @@ vec4 farol_edgeWeights(const in vec4 cosines) {
   return mix(0.5 * inversesqrt(max(1.0 - cosines * cosines, 1e-7)) - weights, weights, isAcute);
 }
 
-// u, v: half edges; positive on the side that cross(u, v) points away from
+// u, v: half edges; positive seen from the side opposite to cross(u, v)
 vec3 farol_rectangleForm(const in vec3 centre, const in vec3 u, const in vec3 v) {
   vec3 right = centre + u;
   vec3 left = centre - u;
@@ -27,7 +27,7 @@ vec3 farol_rectangleForm(const in vec3 centre, const in vec3 u, const in vec3 v)
   vec4 inverse = inversesqrt(vec4(dot(a, a), dot(b, b), dot(c, c), dot(d, d)));
   vec4 inverses = inverse * inverse.yzwx;
   vec4 weights = inverses * farol_edgeWeights(inverses * vec4(dot(a, b), dot(b, c), dot(c, d), dot(d, a)));
-  // the sum of the four edges' cross products: each is one of u, v and the centre with another
+  // weighted sum of the four edges' cross products, written by those of u, v and centre
   return 2.0 * ((weights.x - weights.z) * cross(u, centre) + (weights.y - weights.w) * cross(centre, v)
     - (weights.x + weights.y + weights.z + weights.w) * cross(u, v));
 }
@@ -39,7 +39,7 @@ float farol_aboveHorizon(const in vec3 form) {
   return max((size * size + form.z) / (size + 1.0), 0.0);
 }
 
-// true where farol_aboveHorizon is 0 for certain: the middle is twice a bounding sphere's radius below
+// true where farol_aboveHorizon is certainly 0: the middle is twice a bounding sphere's radius below the horizon
 bool farol_isBelowHorizon(const in vec3 centre, const in vec3 u, const in vec3 v) {
   return centre.z < 0.0 && centre.z * centre.z > 8.0 * (dot(u, u) + dot(v, v));
 }

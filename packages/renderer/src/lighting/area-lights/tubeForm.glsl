@@ -6,12 +6,12 @@
 //? farol_tubeForm(vec3(-1.0, 1.0, -0.5), vec3(1.0, 0.5, 1.5), 0.04) == 0.019618
 //? farol_tubeForm(vec3(4.0, 5.0, 1.0), vec3(4.0, 5.0, 9.0), 0.1) == 0.003182
 
-// factor of a tube's width under the transform m; centre and half axis as before the transform
+// factor on a tube's width by the transform m; centre, halfAxis: before the transform
 float farol_tubeWidth(const in mat3 m, const in vec3 centre, const in vec3 halfAxis) {
   vec3 across = cross(centre - halfAxis, centre + halfAxis);
   float size = length(across);
-  if (size < 1e-9) return 0.0; // seen along its axis, a tube has no area
-  // inverse transpose of the lobe's transform, by cross products
+  if (size < 1e-9) return 0.0; // a tube seen along its axis has no area
+  // inverse transpose of m up to a factor, by cross products
   vec3 x = cross(m[1], m[2]);
   vec3 y = cross(m[2], m[0]);
   vec3 z = cross(m[0], m[1]);

@@ -1,13 +1,10 @@
 import type { IUniform, Texture } from 'three';
 
-/** Uniforms of lightLoopClustered.glsl without those of tile shadows (maskUniforms.ts); one set a FarolRenderer. */
+/** Uniforms of lightLoopClustered.glsl without those of tile shadows (maskUniforms.ts); one object for each FarolRenderer. */
 export interface GridUniforms extends Record<string, IUniform> {
-  /**
-   * Light grid: side of a tile (pixels, as a power of two), number of tiles in y, words of deep lights, first record of
-   * the listed lights.
-   */
+  /** Light grid: log2 of a tile's side (pixels), number of tiles in y, words of deep lights, first record of the listed lights. */
   readonly farol_grid: { value: number[] };
-  /** Mapping of depth to bins: shift (m), the float whose bits are the start, scale. */
+  /** Mapping of depth to bins: shift (m), start (as the float with these bits), scale. */
   readonly farol_gridDepth: { value: number[] };
   readonly farol_gridMasks: IUniform<Texture | null>;
   readonly farol_gridBins: IUniform<Texture | null>;

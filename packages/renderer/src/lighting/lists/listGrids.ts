@@ -1,16 +1,16 @@
 import type { WebGLRenderTarget } from 'three';
 import { withRoom } from '../../gpu/fitTarget';
 
-/** Greatest width of a list texture (texels): the least MAX_TEXTURE_SIZE of WebGL 2. */
+/** Maximum width of a list texture (texels): MAX_TEXTURE_SIZE that WebGL 2 guarantees. */
 const ROW = 2048;
 
 /**
- * Sets the uniform `farol_tiles`. List textures hold a grid of tiles for each quad (128 lights) side by side, if they
- * fit. The number of quads is kept when fewer would do, so that a light more or less needs no new textures.
+ * Sets the uniform `farol_tiles`. List textures hold a grid of tiles for each quad (128 lights) side by side, if they fit. The
+ * number of quads is kept when fewer suffice, so that one light more or less needs no new textures.
  * @param tiles - the uniform's value
  * @param x - tiles in x
  * @param y - tiles in y
- * @param quads - of 128 lights, at least 1
+ * @param quads - number of quads of 128 lights, at least 1
  */
 export function setTiles(tiles: number[], x: number, y: number, quads: number): void {
   if (tiles[1] !== x) tiles[0] = 0;
@@ -21,9 +21,9 @@ export function setTiles(tiles: number[], x: number, y: number, quads: number): 
 }
 
 /**
- * Makes a list texture large enough for rows of grids of x × y texels, with some spare rows when it grows, and limits
- * drawing to those.
- * @param shift - base-2 logarithm of the grids in a row
+ * Makes a list texture large enough for rows of grids of x × y texels, with some spare rows when it grows, and limits drawing to
+ * those.
+ * @param shift - log2 of the number of grids in a row
  */
 export function fitGrids(target: WebGLRenderTarget, x: number, y: number, grids: number, shift: number): void {
   const width = x << shift;

@@ -1,11 +1,11 @@
 import { Vector2, type IUniform, type Texture } from 'three';
 
-/** Base-2 logarithm of a tile's side (pixels); FAROL_TILE_SHIFT in lightTiles.glsl. */
+/** Log2 of a tile's side (pixels); FAROL_TILE_SHIFT in lightTiles.glsl. */
 export const TILE_SHIFT = 4;
 
-/** Uniforms of lightTiles.glsl, lightLoopTiled.glsl and viewport.glsl; one set a FarolRenderer. */
+/** Uniforms of lightTiles.glsl, lightLoopTiled.glsl and viewport.glsl; one object for each FarolRenderer. */
 export interface TileUniforms extends Record<string, IUniform> {
-  /** Grids of tiles side by side in a list texture (as a power of two), tiles in x, tiles in y, quads of 128 lights a tile. */
+  /** Log2 of the number of grids of tiles side by side in a list texture, tiles in x, tiles in y, quads of 128 lights a tile. */
   readonly farol_tiles: { value: number[] };
   /** First record of the listed lights, their number, summary texels a tile, quads of plain point lights. */
   readonly farol_tileRun: { value: number[] };

@@ -6,7 +6,7 @@ void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   int first = farol_lightCounts.x + farol_lightCounts.y;
   for (int i = first; i < first + farol_lightCounts.z; i++) {
-    // most lights do not reach the point: one texel is fetched for such a light, not two
+    // fetches one texel, not two, of the many lights that do not reach the point
     vec4 sphere = farol_lightSphere(i);
     if (distance(farol_lightPosition(sphere), s.positionVS) < farol_lightRange(sphere)) farol_addLocal(s, i);
   }

@@ -1,3 +1,3 @@
-// Light loop of no lights: the base pass and the G-buffer pass.
+// Light loop without lights, for the G-buffer pass and the like.
 // Farol
 #define FAROL_FOR_EACH_LIGHT(positionVS)

@@ -1,4 +1,4 @@
-// Every lit material is shaded light by light, by three's own functions: to count lights, or since the host changed
-// those functions.
+// Makes lit materials shade light by light, with three's own functions: to count lights, or because the host changed
+// these functions.
 // Farol
 #define FAROL_ONE_BY_ONE

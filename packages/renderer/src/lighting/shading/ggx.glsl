@@ -1,12 +1,12 @@
 // Specular lobes of one light: visibility times distribution, and Fresnel's weight.
-// Walter et al. 2007 (GGX); Heitz 2014, Hammon 2017 (Smith); Blinn 1977; Schlick 1994, as three.js r187 has them
+// Walter et al. 2007 (GGX); Heitz 2014, Hammon 2017 (Smith); Blinn 1977; Schlick 1994; three.js r187
 //? farol_smithLambda(0.25, 1.0) == 1.0
 //? farol_ggxLobe(1.0, 1.0, 1.0, 1.0, 1.0) == 0.07957747
 //? farol_ggxLobe(1.0, farol_smithLambda(1.0, 0.5), 0.5, 0.5, 0.8) == 0.15915494
 //? farol_blinnPhongLobe(2.0, 0.5) == 0.03978874
 //? farol_schlickPower(0.0) == 1.0
 
-// one direction's part of the height-correlated Smith term, by its cosine with the normal; alphaSquared: roughness⁴
+// one direction's part of the height-correlated Smith term; cosine: with the normal; alphaSquared: roughness⁴
 float farol_smithLambda(const in float alphaSquared, const in float cosine) {
   return sqrt(alphaSquared + (1.0 - alphaSquared) * cosine * cosine);
 }
@@ -15,7 +15,7 @@ float farol_smithLambda(const in float alphaSquared, const in float cosine) {
 float farol_ggxLobe(const in float alphaSquared, const in float lambdaV, const in float dotNV, const in float dotNL,
   const in float dotNH) {
 #ifdef FAROL_LITE
-  // Hammon's approximation of the same: no root of what differs from light to light
+  // Hammon's approximation of this, without a root for each light
   float alpha = sqrt(alphaSquared);
   float shadowing = dotNL * (2.0 * dotNV * (1.0 - alpha) + alpha) + dotNV * alpha;
 #else

@@ -26,7 +26,7 @@ FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, cons
   return s;
 }
 
-// the radiance that the pixel's surface sends to the eye
+// radiance from the pixel's surface to the eye
 vec3 farol_endShading(const in FarolShading s, const in ivec2 pixel) {
   vec3 albedo = farol_gAlbedoAt(pixel).rgb;
   albedo *= albedo;

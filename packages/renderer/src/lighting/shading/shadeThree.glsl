@@ -25,7 +25,7 @@
   #define FAROL_SAVE_SHEEN
   #define FAROL_SCALE_SHEEN
 #endif
-// unlit surfaces are skipped, except by three's toon shading, whose derivatives need all pixels
+// skips unlit surfaces, except with three's toon shading, whose derivatives need all pixels
 #if defined( TOON ) && ! defined( FAROL_TOON )
   #define FAROL_IS_LIT(light) true
 #else
@@ -38,7 +38,7 @@
   #define FAROL_DIRECT(light) RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, \
     geometryClearcoatNormal, material, reflectedLight);
 #endif
-// normal along which shadow lookups are offset: the geometry's, from vertices as in three
+// normal along which shadow look-ups are offset: the interpolated vertex normal, as in three
 #if defined( FAROL_VERTEX_NORMAL ) && !defined( FLAT_SHADED )
   #define FAROL_SHADOW_NORMAL vNormal
 #elif defined( FLAT_SHADED )

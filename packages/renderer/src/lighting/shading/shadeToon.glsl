@@ -1,4 +1,4 @@
-// three's toon shading in a loop that may differ from pixel to pixel: its derivatives are taken before the loop.
+// three's toon shading in a light loop that may differ from pixel to pixel: derivatives are computed before the loop.
 // three.js r187's gradientmap_pars_fragment; derivatives: OpenGL ES Shading Language 3.00, 8.9
 #include "incidentLight"
 #define FAROL_TOON
@@ -7,8 +7,8 @@ vec3 farol_toonNormals[4];
 vec3 farol_toonSteps[4]; // offsets from this pixel's position to those of the four pixels (m)
 
 void farol_startToon(const in vec3 positionVS, const in vec3 normalVS) {
-  // 1 in the second column or row of the quad: the difference of a product with it is the value of that pixel alone,
-  // whichever row or column the device takes its differences from
+  // 1 in the second column or row of the quad, else 0: the derivative of a product with it is the value at that
+  // pixel, on any device
   vec2 second = mod(floor(gl_FragCoord.xy), 2.0), first = 1.0 - second;
   float signX = dFdx(second.x), signY = dFdy(second.y);
   farol_toonNormals = vec3[4](

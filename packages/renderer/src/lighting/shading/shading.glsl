@@ -1,6 +1,6 @@
-// Light on one surface as three's RE_Direct_Physical and RE_Direct_BlinnPhong have it, with what the lights have in
-// common taken out of the loop: three sums, weighted at the end by the surface's colours.
-// three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
+// Light on one surface, as by three's RE_Direct_Physical and RE_Direct_BlinnPhong, but with factors common to all
+// lights outside of the loop: three sums, weighted at the end by the surface's colours. three.js r187; Walter et al.
+// 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
 #include "ggx"
 #include "incidentLight"
 #include "lightMask"
@@ -11,9 +11,9 @@ struct FarolShading {
   vec3 positionVS;
   vec3 normalVS;
   vec3 viewDirVS;
-  float dotNV; // cosine of view and normal, not clamped
+  float dotNV; // cosine between view and normal, not clamped
   float alphaSquared; // physical materials: roughness to the fourth power; Blinn-Phong: shininess
-  float lambdaV; // the view's part of the height-correlated Smith visibility
+  float lambdaV; // view-dependent part of the height-correlated Smith visibility
   float diffuse0; // 1 - F at normal incidence, F: Fresnel reflectance of the specular layer
   float diffuse90; // part of diffuse0 lost at grazing angles: factor of Schlick's fifth power
   vec3 diffuse; // diffuse sum over the lights: colour × N·L × (1 - Fresnel)
@@ -27,7 +27,7 @@ struct FarolShading {
 
 #ifdef FAROL_VERTEX_NORMAL
   #define FAROL_SHADOW_NORMAL_OF(s) s.shadowNormalVS
-#elif ! defined( FAROL_SHADOW_NORMAL_OF ) // gbufferRead has its own
+#elif ! defined( FAROL_SHADOW_NORMAL_OF ) // gbufferRead defines its own
   #define FAROL_SHADOW_NORMAL_OF(s) s.normalVS
 #endif
 #define FAROL_LOOKUP_OF(s) s.positionVS, FAROL_SHADOW_NORMAL_OF(s), farol_receivesShadows(s.flags)
@@ -54,7 +54,7 @@ void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3
   if (!(dotNLRaw > 0.0)) return; // also true for NaN, the normal of a surface without one
   float dotNL = min(dotNLRaw, 1.0);
 #ifdef STANDARD
-  // in three's order of operations: narrow lobes magnify differences in the last bits
+  // three's order of operations, since narrow lobes magnify rounding differences
   vec3 halfDirVS = normalize(direction + s.viewDirVS);
   float dotNH = clamp(dot(s.normalVS, halfDirVS), 0.0, 1.0);
   float dotVH = clamp(dot(s.viewDirVS, halfDirVS), 0.0, 1.0);
@@ -88,7 +88,7 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   }
   if (dot(s.normalVS, light.direction) <= 0.0) return; // tested before the mask, which costs more than the light
 #ifdef FAROL_UNBOUNDED_MASKS
-  // farol_addLight is called twice in the text, so that lights without a mask do not wait for a shadow
+  // farol_addLight is called in both branches, so that lights without a mask do not wait for a shadow
   if (light.mask > 0) {
     vec3 color = light.color * FAROL_MASK(light.mask, false, light.direction * light.distance, FAROL_LOOKUP_OF(s));
     farol_addLight(s, light.direction, color * diffuseScale, color * specularScale);
@@ -98,8 +98,8 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// a light with a range, unless it is an area light; sphere, emission: texels of its record; isLit: its mask lets all
-// through; plain point lights, most of all lights, take the short way
+// a light with a range, unless it is an area light; sphere, emission: texels of its record; isLit: whether its mask
+// lets all through; plain point lights, the most frequent kind, skip most of this
 void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphere, const in vec4 emission,
   const in bool isLit) {
   vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
@@ -140,7 +140,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
     }
     if (dot(s.normalVS, direction) <= 0.0) return;
 #if defined( FAROL_BOUNDED_MASKS ) || defined( FAROL_POINT_MASKS )
-    // one call in the text: compilers copy the mask's code to each
+    // only one call, since compilers inline the mask's code in each
     if (isMaskedPoint || (farol_lightIsMasked(details) && !isLit)) {
       color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), isMaskedPoint, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color, color * specularScale);

@@ -1,4 +1,4 @@
-// Gouraud shading, in place of a light loop: all lights of the table at the vertices, their sums interpolated.
+// Gouraud shading, in place of a light loop: sums all lights of the table at the vertices, and interpolates the sums.
 // Gouraud 1971, Continuous Shading of Curved Surfaces; thesis 2.2.1.2
 #include "shading"
 // sums of FarolShading: diffuse, specular, grazing, area (if there are area lights)

@@ -8,7 +8,7 @@ interface Registry {
   add(chunks: readonly MicroShader[]): void;
 }
 
-/** Adds the microshaders of an XML text to a registry. @param file - named in errors @returns their names */
+/** Adds the microshaders of an XML text to a registry. @param file - name of the file, for errors @returns their names */
 export function loadXML(registry: Registry, text: string, file: string): string[] {
   const chunks = parseMicroShaderXML(text, file);
   const known = chunks.find(({ name }) => registry.has(name));

@@ -6,10 +6,11 @@ import { parseXML, type XMLElement } from './parseXML';
 const ATTRIBUTES = ['name', 'stage', 'dependencies'];
 
 /**
- * Reads the thesis's file of microshaders:
+ * Parses the thesis's file of microshaders:
  * `<microshaders><microshader name="…" dependencies="a b" stage="fragment"><header>…</header><main>…</main></microshader>…`.
- * `dependencies` (blanks between), `stage`, header and main may be left out; `<maincode>` is the thesis's word for main.
- * @param file - named in errors
+ * `dependencies` (separated by blanks), `stage`, header and main are optional; `<maincode>`, the thesis's name for main, is
+ * accepted.
+ * @param file - name of the file, for errors
  * @throws Error with file and line for malformed XML, unknown elements or attributes, missing and duplicate names
  * @see thesis 3.1.2 and 3.2.6
  */

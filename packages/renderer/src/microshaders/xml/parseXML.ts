@@ -28,10 +28,10 @@ const DECLARATION = /^<\?xml(?:\s+[a-z]+\s*=\s*(?:"[\w.-]*"|'[\w.-]*'))+\s*\?>/;
 const ENTITIES: Record<string, string> = { lt: '<', gt: '>', amp: '&', quot: '"', apos: "'" };
 
 /**
- * Reads XML 1.0 without a document type: elements, attributes, text, CDATA, comments, character references. Written out
- * because `DOMParser` is missing in Node, and tells no line of an element in a browser.
- * @param file - named in errors
- * @throws Error with file and line, for whatever is not well formed
+ * Parses XML 1.0 without a document type: elements, attributes, text, CDATA, comments, character references. Own code, because
+ * `DOMParser` is missing in Node, and has no lines of elements in browsers.
+ * @param file - name of the file, for errors
+ * @throws Error with file and line, if not well formed
  * @see https://www.w3.org/TR/xml/
  */
 export function parseXML(text: string, file: string): XMLElement {

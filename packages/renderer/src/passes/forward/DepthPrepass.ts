@@ -8,9 +8,8 @@ import { setDepthMode } from '../../gpu/unprojectUniforms';
 import { setViewport } from '../../three/state';
 
 /**
- * Draws the depth of opaque lit items first: into a texture for the light lists, and from there into the host's target,
- * so that hidden surfaces are not shaded. The items are drawn again into a multisampled target, whose samples have
- * depths of their own.
+ * Draws the depth of opaque lit items first: into a texture for the light lists, and from there into the host's target, so that
+ * hidden surfaces are not shaded. For a multisampled target, whose samples have separate depths, the items are drawn again.
  * @see Harada, McKee and Yang 2012, Forward+: Bringing Deferred Lighting to the Next Level
  */
 export class DepthPrepass implements Pass {
@@ -19,10 +18,7 @@ export class DepthPrepass implements Pass {
   readonly writes = ['scene-depth', 'target'] as const;
   /** Depth of the opaque items, as a texture of the picture's size. */
   private readonly target = new PassTarget({ depthTexture: true });
-  /**
-   * Target used first for a viewport that does not begin at the corner, since vertices elsewhere may be rounded
-   * otherwise.
-   */
+  /** Intermediate target for a viewport that does not begin at the corner, so that vertices are rounded as in the host's target. */
   private readonly shifted = new PassTarget({ depthTexture: true });
   private readonly toTarget = new FullscreenPass({
     program: 'depth',
@@ -76,7 +72,7 @@ export class DepthPrepass implements Pass {
   }
 
   private drawSamples(frame: Frame): void {
-    // logarithmic depth is written by the shader, and so spares no shading
+    // logarithmic depth is written by fragment shaders, so a pre-pass saves no shading
     if (frame.webgl.capabilities.logarithmicDepthBuffer) return;
     frame.bindTarget();
     for (const item of frame.queue.opaque) {

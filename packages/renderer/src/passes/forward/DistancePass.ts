@@ -6,11 +6,11 @@ import { depthTwin, hasDistanceTwin } from '../../materials/depthTwin';
 import type { TwinKind } from '../../materials/TwinKind';
 import { afterChunkOrAtEnd, replaceChunk } from '../../three/replaceChunk';
 
-/** Value of pixels without a surface: farther than half floats tell. */
+/** Value of pixels without a surface: near the largest half float. */
 const NOWHERE = new Vector4(6e4, 0, 0, 0);
 const WRITE = 'gl_FragColor = vec4(farol_packDistance(farol_away, isOrthographic), 0.0, 1.0);\nif (true) return;';
 
-/** Writes the distance of surfaces along the view, over the same pixels as `depthTwin` writes depth. */
+/** Twin that writes the distance of surfaces along the view, for the same pixels as `depthTwin`. */
 const distanceTwin: TwinKind = {
   ...depthTwin,
   key: 'surface-distance',
@@ -25,14 +25,14 @@ const distanceTwin: TwinKind = {
   },
 };
 
-/** True for an opaque item that three's own shaders draw, and whose distance a twin can write. */
+/** True for an opaque item with three's own shader, whose distance a twin can write. */
 export function drawsDistance(item: RenderItem): boolean {
   return isPlain(item) && !item.ownShader && hasDistanceTwin(item.material);
 }
 
-/** Draws the distances of surfaces whose depth does not tell them. */
+/** Draws the distances of surfaces where depth does not give them. */
 export class DistancePass {
-  /** @param draws - whether an opaque item's distances are to be drawn */
+  /** @param draws - tests whether to draw an opaque item's distances */
   constructor(private readonly draws: (item: RenderItem) => boolean = drawsDistance) {}
 
   private readonly target = new PassTarget({ format: RGFormat, type: HalfFloatType, depthTexture: true });
@@ -41,7 +41,7 @@ export class DistancePass {
     return this.target.bytes;
   }
 
-  /** @returns target of the picture's size: distances as storedDistance.glsl packs them, and depth */
+  /** @returns target of the picture's size: distances packed by storedDistance.glsl, and depth */
   render(frame: Frame): WebGLRenderTarget {
     const target = this.target.of(frame.width, frame.height);
     frame.bind(target);

@@ -13,7 +13,7 @@ export interface ForwardPassOptions {
   readonly name: string;
   readonly list: 'opaque' | 'transmissive' | 'transparent';
   readonly loop: LightLoop;
-  /** Light loop for opaque items whose depth no pass has drawn before; default `loop`. */
+  /** Light loop for opaque items whose depth no earlier pass has drawn; default `loop`. */
   readonly loopOutside?: LightLoop;
   readonly reads?: readonly Resource[];
 }

@@ -3,7 +3,7 @@ import type { ForwardTwins } from '../../materials/forwardTwin';
 
 /**
  * Draws the `early` items into the host's target, in three's order, before all others.
- * @param twins - twins of a loop without lists, which are not made yet
+ * @param twins - twins of a loop without light lists, which are not drawn yet
  */
 export function drawEarly(frame: Frame, twins: ForwardTwins): void {
   const { queue } = frame;

@@ -21,7 +21,7 @@ export class GBufferPass implements Pass {
 
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
-    // three blends an environment without a mapping as a cube map into Lambert and Phong materials, lights included
+    // three blends an environment with UVMapping into the lit colour of Lambert and Phong materials, as it does cube maps
     const blends = (frame.scene as Scene).environment?.mapping === UVMapping;
     for (const item of frame.queue.opaque) {
       if (!fitsGBuffer(item, frame.isLite) || exceedsGBuffer(item.material, frame.lights)) continue;

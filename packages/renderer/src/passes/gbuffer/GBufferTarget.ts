@@ -5,15 +5,15 @@ import { attachmentIndex } from '../../gbuffer/gbufferNames';
 import { exceedsLite, shadingModelOf } from '../../gbuffer/shadingModel';
 
 /**
- * True for an item that the G-buffer holds without visible loss; others are left to forward passes.
- * @param isLite - whether the G-buffer is that of the quality 'lite' (`Frame.isLite`). Default false
+ * True for an item that the G-buffer holds without visible loss; forward passes draw others.
+ * @param isLite - whether it is the G-buffer of the quality 'lite' (`Frame.isLite`). Default false
  */
 export function fitsGBuffer(item: RenderItem, isLite = false): boolean {
   const { route, layered, material } = item;
   return route === 'split' && !layered && shadingModelOf(material) !== null && !(isLite && exceedsLite(material));
 }
 
-/** Makes the G-buffer of a pass for the needs of a frame, and makes it anew when these change. */
+/** G-buffer of a pass, replaced when a frame needs other attachments. */
 export class GBufferTarget {
   private made: GBuffer | null = null;
 
@@ -26,7 +26,7 @@ export class GBufferTarget {
 
   /** Binds the G-buffer of a frame, sized and cleared. @throws Error when the device has too few draw buffers for it */
   begin(frame: Frame): GBuffer {
-    // a G-buffer that stores distances keeps them: cameras may take turns
+    // distances are kept once stored: cameras that need and do not need them may alternate
     const stores = this.keepsDistance && (frame.storesDistance || this.made?.storesDistance === true);
     if (this.made !== null && !this.fits(this.made, frame, stores)) this.dispose();
     const gbuffer = (this.made ??= new GBuffer(frame.webgl, frame.gbufferExtras, stores, frame.isLite));
@@ -35,9 +35,9 @@ export class GBufferTarget {
     frame.uniforms.farol_lite.value = gbuffer.isLite;
     frame.gbufferPixel = gbuffer.bytes / (frame.width * frame.height) - 4;
     frame.bind(gbuffer.target);
-    // depth 1 says that nothing is drawn there: other attachments need no clear, which costs as much as a draw
+    // depth 1 marks empty pixels: other attachments need no clear, which costs as much as a draw
     frame.clear(0, true);
-    // flags, beside the albedo, tell a surface at depth 1 from an empty pixel
+    // the flags, in the albedo's alpha, tell a surface at depth 1 from an empty pixel
     if (frame.queue.reachesFar) frame.clearOne(attachmentIndex.albedo);
     return gbuffer;
   }

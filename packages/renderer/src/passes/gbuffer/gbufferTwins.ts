@@ -5,7 +5,7 @@ import type { ShadingModel } from '../../gbuffer/surfaceFlags';
 import { litTwin } from '../../materials/litTwin';
 import type { TwinKind } from '../../materials/TwinKind';
 
-/** Declarations of the outputs of G-buffer shaders beside gl_FragColor. */
+/** Declarations of the outputs of G-buffer shaders besides gl_FragColor. */
 export const OUTPUTS = attachmentOutputs();
 
 type AnyMaterial = Material & {
@@ -14,7 +14,7 @@ type AnyMaterial = Material & {
   isMeshStandardMaterial?: boolean;
 };
 
-/** Shading model of a material, or the nearest one for materials that only the views of the G-buffer hold. */
+/** Shading model of a material, or the nearest one for materials that only views draw to a G-buffer. */
 export function nearestModel(source: Material): ShadingModel {
   const m = source as AnyMaterial;
   return (
@@ -26,8 +26,8 @@ export const outputs = (text: string, source: Material) =>
   `${OUTPUTS}#define FAROL_FLAGS ${flagsOf(source, nearestModel(source))}\n${text}`;
 
 /**
- * Twin that writes the G-buffer; the first attachment gets emissive, ambient and environment light, and lights left to
- * three.
+ * Twin that writes the G-buffer; the first attachment receives emissive, ambient and environment light, and that of lights left
+ * to three.
  */
 export const gbufferTwin: TwinKind = litTwin({
   key: 'gbuffer',

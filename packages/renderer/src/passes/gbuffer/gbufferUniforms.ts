@@ -12,7 +12,7 @@ export interface GBufferUniforms extends GBufferTextureUniforms, UnprojectUnifor
   farol_offset: IUniform<Vector2>;
 }
 
-/** Makes the uniforms by which a shader reads the G-buffer; `setGBufferUniforms` sets them. */
+/** Makes the uniforms of shaders that read the G-buffer; `setGBufferUniforms` sets them. */
 export function gbufferUniforms(): GBufferUniforms {
   return {
     ...gbufferTextureUniforms(),
@@ -23,7 +23,7 @@ export function gbufferUniforms(): GBufferUniforms {
   };
 }
 
-/** Kind of stored distance for a camera, as in shaders by `isOrthographic`: 1 perspective, 2 orthographic. */
+/** Kind of stored distance for a camera: 1 perspective, 2 orthographic. */
 export function storedKind(camera: Camera): 1 | 2 {
   return (camera as OrthographicCamera).isOrthographicCamera === true ? 2 : 1;
 }

@@ -10,7 +10,7 @@ export class BackgroundDraw extends FullscreenPass {
       fragment: 'background',
       shared: 'all',
       depthTest: true,
-      // writes depth 1 where depth is 1: three's depth state need not change
+      // writes depth 1 where depth is 1, so that three's depth state need not change
       depthWrite: true,
       depthFunc: LessEqualDepth,
     });

@@ -6,8 +6,8 @@ import { FullscreenPass, type FullscreenPassOptions, type Uniforms } from '../..
 import { OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING, outputUniforms, type OutputUniforms } from './outputUniforms';
 
 /**
- * Writes what earlier passes have made to the host's target, with depth, as three would have drawn it there: what is drawn
- * after it, by Farol or by the host, finds what stock three would leave. In the count views it shows the counts.
+ * Writes the result of earlier passes to the host's target, with depth, as three would have drawn it: later draws, by Farol or
+ * the host, find the state that stock three would leave. In heat-map views it draws the counts.
  */
 export abstract class OutputPass<U extends Uniforms> extends FullscreenPass<OutputUniforms & U> implements Pass {
   readonly name = 'output';

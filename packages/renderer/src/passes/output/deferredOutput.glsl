@@ -1,4 +1,4 @@
-// Joins the G-buffer's accumulation with the lighting buffer and writes the picture with its depth.
+// Adds the lighting buffer to the G-buffer's accumulation and writes the picture with its depth.
 // Farol
 #include "gbufferRead"
 #include "output"

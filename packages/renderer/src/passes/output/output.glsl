@@ -2,7 +2,7 @@
 // three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment, dithering_fragment
 #include "media"
 #include "viewport"
-uniform vec4 farol_background; // colour of empty pixels; a below 0: leave them as they are
+uniform vec4 farol_background; // colour of empty pixels; a below 0: do not write them
 #ifdef USE_FOG
 uniform vec3 fogColor;
 #ifdef FOG_EXP2

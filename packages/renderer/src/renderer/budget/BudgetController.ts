@@ -3,47 +3,50 @@ import { REASONS } from './reasons';
 import { Restlessness } from './Restlessness';
 import { medianOfLast, RECENT, SteadyLoad } from './SteadyLoad';
 
-/** Change of the scale from one frame to the next: too little to be seen. */
+/** Step of the scale from one frame to the next: too small to be seen. */
 const STEP = 1 / 64;
 /** Distance to the goal (steps) above which the scale changes by two steps a frame. */
 const FAR = 8;
-/** Share of the budget that predictions aim at: frames vary. */
+/** Share of the budget that predicted times aim at; the rest is for frames that take longer. */
 const AIM = 0.98;
 /**
- * Share of the budget by which the predicted time may be off `AIM` before the scale changes, besides what noise leaves in
- * doubt: more than a step changes it.
+ * Share of the budget, besides the doubt due to noise, by which the predicted time may be off `AIM` before the scale changes;
+ * more than one step of the scale is worth.
  */
 const BAND = 0.06;
-/** Band while the mean of the load is not steady yet: the goal follows what becomes known. */
+/** `BAND` while the mean of the load is not steady yet, so that the goal follows new times sooner. */
 const SEARCH_BAND = 0.03;
-/** Weight of earlier frames in the regression, a frame. */
+/** Factor by which the weight of earlier frames in the regression decays in each frame. */
 const MEMORY = 0.95;
-/** Intervals above this share of the budget are too long: the display's refresh may lie just above it. Also while a load is new. */
+/**
+ * Share of the budget above which intervals are late; above 1 for a refresh just over the budget. The second: while a load is
+ * new.
+ */
 const [LATE, NEW_LATE] = [1.07, 1.05];
-/** Intervals below this share of the budget tell how much faster a frame is, others may be the display's. */
+/** Intervals below this share of the budget are a frame's own time; longer ones may be the display's refresh. */
 const EARLY = 0.93;
-/** Error of intervals, as a share of the budget, above which the scale changes by two steps. */
+/** Difference of intervals from the budget, as a share of it, above which the scale changes by two steps. */
 const QUICK = 0.25;
-/** Share of the budget up to which a larger scale is tried, by a prediction that does not know the display. */
+/** Predicted share of the budget up to which a larger scale is tried, where intervals may be the display's refresh. */
 const MOST = 1.06;
-/** Punctual intervals after which a trial has succeeded, and late ones up to which the trial is to blame. */
+/** Number of punctual intervals after which a trial has succeeded, and up to which late frames are blamed on it. */
 const [TRIAL, BLAME] = [8, 240];
-/** Intervals before a larger scale is tried: at first and at least, after a failure and at most. */
+/** Number of intervals before a larger scale is tried: at first, at least; after a failure, at most. */
 const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
 
 /**
  * Finds the scale at which frames take the time of a budget, from times of frames and the scales that they were drawn at. A
- * frame is taken to cost load × (constant + scale²): the load is a running mean, longer the noisier times are, the
- * constant is learnt by regression. Nothing changes while the prediction is within a band that grows with the noise. The GPU's
- * times tell the scale to go to; intervals of a display do not tell how much faster a frame was, so a larger scale is tried,
- * ever more seldom where it fails. The scale goes there by one step a frame, by two from afar.
+ * frame is taken to cost load × (constant + scale²): the load is a running mean, over more frames where times are noisy, and the
+ * constant is learnt by regression. Nothing changes while the prediction is within a band that grows with the noise. GPU times
+ * predict the right scale; intervals that follow a display's refresh hide how much faster a frame was, so larger scales are
+ * tried, less often after failures. The scale approaches its goal by one step a frame, by two from afar.
  */
 export class BudgetController {
   reason: string = REASONS.unknown;
-  /** Median of the last times (ms); null until there are some. */
+  /** Median of the last times (ms); null before the first. */
   ms: number | null = null;
   source: BudgetSource = 'interval';
-  /** Steps below the largest scale: now, and to go to. */
+  /** Number of steps below the largest scale: at present, and as a goal. */
   private step = 0;
   private goal = 0;
   private readonly steps: number;
@@ -56,14 +59,14 @@ export class BudgetController {
   /** Cost of the pixels at scale 1 (ms). */
   private readonly load = new SteadyLoad();
   private readonly restlessness = new Restlessness();
-  /** Punctual intervals since the scale changed, and since a larger one was tried. */
+  /** Number of punctual intervals since the scale changed, and since a larger scale was tried. */
   private inTime = 0;
   private sinceTrial = Infinity;
-  /** Whether the last trial may be why frames are late. */
+  /** Whether late frames were blamed on the last trial. */
   private blamed = false;
-  /** Last mean of the punctual intervals, as a share of the budget. */
+  /** Predicted time at the last punctual interval, as a share of the budget. */
   private usual = 0;
-  /** Punctual intervals before a larger scale is tried: in general, and after failures. */
+  /** Number of punctual intervals to wait before a larger scale is tried: in general, and after failures. */
   private pace = PACE;
   private patience = 0;
 
@@ -86,15 +89,14 @@ export class BudgetController {
   }
 
   /**
-   * Takes the time of a frame. One that took very long (a tab that slept, a shader that was compiled) does not count, nor one
-   * that is no number.
-   * @param scale - that it was drawn at
+   * Adds the time of a frame. Very long times (a tab that slept, a shader that was compiled) and NaN are ignored.
+   * @param scale - scale at which the frame was drawn
    */
   add(scale: number, ms: number, source: BudgetSource): void {
     const { frame } = this.budget;
     if (!(ms > 0) || ms > Math.max(500, 8 * frame)) return;
     if (source !== this.source) this.restart(source);
-    // frames of a trial that failed are not held against the smaller scale
+    // late frames of a failed trial do not count for the smaller scale
     if (this.blamed && scale !== this.scale) return;
     this.times[this.count++ % RECENT] = ms;
     this.ms = medianOfLast(this.times, this.count, RECENT);
@@ -142,7 +144,7 @@ export class BudgetController {
     else this.reason = off < -band ? REASONS.largest : REASONS.held;
   }
 
-  /** Sets the goal; a larger scale may have to wait. */
+  /** Sets the goal; `restlessness` may hold back a larger scale. */
   private turn(goal: number): void {
     const { restlessness, step } = this;
     if (goal > step) restlessness.reduced(Math.max(0, goal - this.goal));
@@ -154,19 +156,19 @@ export class BudgetController {
     this.goal = goal;
   }
 
-  /** Step whose predicted time is nearest to the one aimed at. */
+  /** Step whose predicted time is nearest to the aimed one. */
   private bestStep(): number {
     return this.stepFor(this.load.mean);
   }
 
-  /** Step that a frame needed. An interval that may be the display's does not tell: a larger scale may have done. */
+  /** Step that a frame needed; 0 for an interval that may be the display's refresh, since a larger scale might have held it. */
   private neededStep(area: number, ms: number): number {
     const share = ms / this.budget.frame;
     if (this.source === 'interval' && share > EARLY && share < LATE) return 0;
     return this.stepFor(ms / (this.constant + area));
   }
 
-  /** Step at which a load is in time. */
+  /** Step at which a load takes the aimed time. */
   private stepFor(load: number): number {
     const scale = Math.sqrt(Math.max((AIM * this.budget.frame) / load - this.constant, 0));
     return Math.min(this.steps, Math.max(0, Math.round((this.budget.max - scale) / STEP)));
@@ -189,7 +191,7 @@ export class BudgetController {
     const constant = (y / n - (slope * x) / n) / slope;
     const change =
       ((0.3 * spread) / (spread + 4 * this.load.noise ** 2)) * (Math.min(Math.max(constant, 0), 1) - this.constant);
-    // the load keeps telling the time of this frame
+    // so that load and constant still predict this frame's time
     this.load.rescale((this.constant + area) / (this.constant + change + area));
     this.constant += change;
   }
@@ -201,7 +203,7 @@ export class BudgetController {
     const doubt = this.load.doubt / (isSteady ? 1 : 4);
     const share = this.share(this.step);
     const ms = medianOfLast(this.times, this.count, this.inTime > TRIAL ? RECENT : 3);
-    // the mean knows noise, the median a display, whose intervals do not go with the scale
+    // both must be late: the mean, which allows for noise, and the median, which a display's refresh does not blur
     if (share - doubt > (isSteady ? LATE : NEW_LATE) && ms > LATE * frame)
       return this.goLower(this.patience === 0 && share - doubt > 1 + QUICK ? 2 : 1);
     if (this.blamed) this.patience = Math.min(MOST_PATIENCE, Math.max(PATIENCE, 2 * this.patience));
@@ -225,7 +227,7 @@ export class BudgetController {
   }
 
   private goLower(steps: number): void {
-    // a trial is to blame if its step back is enough
+    // blames a recent trial; if frames are late again after its step back, it was not to blame
     this.blamed = this.sinceTrial < BLAME && !this.blamed;
     if (this.blamed) {
       this.count = 0;

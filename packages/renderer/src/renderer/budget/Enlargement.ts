@@ -21,7 +21,7 @@ import finer from './finer.glsl?raw';
 import perceptual from './perceptual.glsl?raw';
 import rcas from './rcas.glsl?raw';
 
-/** Options of passes that write colour and depth to the host's target, over what it holds or in its place. */
+/** Options of passes that write colour and depth to the host's target, blended over its pixels or replacing them. */
 const TO_HOST = {
   shared: ['farol_frameSize'],
   blendSrc: OneFactor,
@@ -47,7 +47,7 @@ export class Enlargement {
       farol_offset: { value: new Vector2() },
       farol_picture: { value: null as Texture | null },
     },
-    // of half floats: RCAS sharpens what rounding to bytes would leave as steps
+    // half floats: RCAS would sharpen the steps of colours rounded to bytes
     target: { type: HalfFloatType },
   });
   private readonly depth = {
@@ -85,8 +85,8 @@ export class Enlargement {
 
   /**
    * Draws to the frame's target and viewport.
-   * @param small - the picture, drawn in the part that is its viewport
-   * @param replaces - whether what the target holds is replaced; else the picture is blended over it, behind nearer depths
+   * @param small - target that holds the picture, in its viewport
+   * @param replaces - whether the picture replaces the target's pixels; else it is blended over them, behind nearer depths
    */
   draw(frame: Frame, small: WebGLRenderTarget, sharpness: number, replaces: boolean): void {
     const { shared, depth, easu, rcas, finer } = this;

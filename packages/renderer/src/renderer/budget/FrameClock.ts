@@ -6,7 +6,7 @@ import type { BudgetController } from './BudgetController';
 const FRAMES = 16;
 /** Number of frames without a result of the GPU timer after which intervals count. */
 const SILENT = 40;
-/** Draws by other cameras after which one of them begins frames in place of a camera that is gone. */
+/** Number of draws by other cameras in a row after which one of them counts as the camera that begins frames. */
 const OTHERS = 32;
 
 /**
@@ -23,7 +23,7 @@ export class FrameClock {
   /** Time at which the frame began (ms); -1 before the first. */
   private started = -1;
   private refreshes = 0;
-  /** Whether `count` is to be called with the next refresh. */
+  /** Whether `count` is requested for the display's next refresh. */
   private counts = false;
   private silent = 0;
   private frame = 0;
@@ -34,7 +34,7 @@ export class FrameClock {
 
   constructor(private readonly gl: WebGL2RenderingContext) {}
 
-  /** Begins a draw. @param passTimer - times the passes already; null for none */
+  /** Begins a draw. @param passTimer - timer that times the passes already; null for none */
   begin(camera: Camera, controller: BudgetController, passTimer: GpuTimer | null): void {
     if (this.leads(camera)) this.beginFrame(controller);
     this.timer ??= new GpuTimer(this.gl);
@@ -71,7 +71,7 @@ export class FrameClock {
   private beginFrame(controller: BudgetController): void {
     const now = performance.now();
     const isTimed = this.timer?.available === true && this.silent++ < SILENT;
-    // a host that draws on demand has let refreshes of the display pass
+    // several refreshes between two frames: the host draws on demand, and the interval tells nothing
     const isInterval = !isTimed && this.started >= 0 && this.refreshes < 2;
     if (isInterval) controller.add(this.scales[this.frame], now - this.started, 'interval');
     this.started = now;
@@ -92,7 +92,7 @@ export class FrameClock {
     this.count();
   };
 
-  /** Adds up the times of a frame; they come in order. */
+  /** Adds up the GPU times of a frame's draws; they arrive in order. */
   private readonly addTime = (frame: number, ms: number): void => {
     this.silent = 0;
     if (frame !== this.summed) {

@@ -30,15 +30,15 @@ import { WHOLE } from './reasons';
 const SMALL = 32;
 
 /**
- * Draws frames at the scale that holds a frame budget, in a part of one target as large as the largest scale asks for, and
- * enlarges them to the host's target.
+ * Draws frames at the scale that holds a frame budget, into a part of a target made for the largest scale, and enlarges them to
+ * the host's target.
  */
 export class ScaledFrames {
   readonly info: BudgetInfo = { scale: 1, reason: '', ms: null, source: 'interval' };
   private controller: BudgetController | null = null;
   private readonly clock: FrameClock;
   private readonly enlargement = new Enlargement();
-  /** Targets by what hosts draw to: the canvas, targets of floats, with stencil, of several samples. */
+  /** Targets of the small picture, one for each kind of host's target: canvas, floats, stencil, samples. */
   private readonly targets: WebGLRenderTarget[] = [];
   private target: WebGLRenderTarget | null = null;
   private hostTarget: WebGLRenderTarget | null = null;
@@ -137,19 +137,19 @@ export class ScaledFrames {
     frame.ownsPart = true;
     frame.resize();
     frame.bindTarget();
-    // three clears with the background, also where it is a colour
+    // three clears for a background that is a colour, even without `autoClear`
     this.replaces = webgl.autoClear || (frame.scene.background as Color | null)?.isColor === true;
     if (!this.replaces) frame.clear(1, true);
   }
 
-  /** Target for what the host draws to, as large as the largest scale asks for. */
+  /** Target of the host's target's kind, sized for the largest scale. */
   private targetFor(frame: Frame, max: number): WebGLRenderTarget {
     const { webgl, target: host, hostSamples: samples } = frame;
     const asCanvas = host === null || isDrawnAsCanvas(host);
     const space = (
       host === null ? webgl.outputColorSpace : asCanvas ? host.texture.colorSpace : NoColorSpace
     ) as ColorSpace;
-    // linear light needs more than bytes
+    // linear light needs more than 8 bits a channel
     const eight =
       ColorManagement.getTransfer(space) === SRGBTransfer && (host === null || host.texture.type === UnsignedByteType);
     const type = eight ? UnsignedByteType : host?.texture.type === FloatType ? FloatType : HalfFloatType;
@@ -192,7 +192,7 @@ function makeTarget(
     depthTexture,
   });
   target.texture.name = 'Farol scaled picture';
-  // three would have the device encode what shaders have encoded
+  // else three would make it SRGB8, and the device would encode colours that shaders have encoded already
   if (type === UnsignedByteType) target.texture.internalFormat = 'RGBA8';
   return target;
 }

@@ -1,24 +1,24 @@
 /** Number of times or loads in a median. */
 export const RECENT = 5;
 const sorted = new Float64Array(RECENT);
-/** Number of loads in the mean, at least and at most; and the relative error of the mean at which their number is enough. */
+/** Minimum and maximum number of loads in the mean, and the relative error of the mean at which no more loads are needed. */
 const [LEAST, MOST, DOUBT] = [6, 40, 0.02];
 /** Smallest share by which the median of recent loads may differ from the mean before the mean begins anew. */
 const JUMP = 0.12;
-/** Standard deviations of a load by which the median may differ besides `JUMP`; a median of five has half of one. */
+/** Number of a load's standard deviations, besides `JUMP`, by which the median may differ; that of five has half of one. */
 const JUMP_DEVIATIONS = 2.5;
 /** Standard deviation of normally distributed values, as a share of the mean difference of two of them. */
 const DEVIATION = 0.886;
 /** Cap on the relative difference of successive loads, and weight of one difference in their running mean. */
 const [MOST_CHANGE, CHANGE_WEIGHT] = [0.3, 1 / 24];
-/** Weight that loads keep when the scale changes: they were measured at another one. */
+/** Factor of the weight of earlier loads when the scale changes, since they were measured at another scale. */
 const FADE = 0.8;
-/** Part of the loads to remember with which a mean is steady: more or fewer are to be remembered as noise changes. */
+/** Share of `memory` that must be filled for the mean to be steady; below 1, since `memory` grows with noise. */
 const STEADY = 0.6;
-/** Standard deviations by which a mean may be off. */
+/** Number of standard deviations by which a mean may be off. */
 const CERTAINTY = 1.5;
 
-/** Median of the last `most` values of a ring, of fewer where fewer were ever added. */
+/** Median of the last `most` values of a ring, or of all while fewer were added. */
 export function medianOfLast(ring: Float64Array, added: number, most: number): number {
   const number = Math.min(most, added);
   for (let i = 0; i < RECENT; i++) sorted[i] = i < number ? ring[(added - 1 - i + 2 * RECENT) % RECENT] : Infinity;
@@ -26,11 +26,11 @@ export function medianOfLast(ring: Float64Array, added: number, most: number): n
   return sorted[(number - 1) >> 1];
 }
 
-/** Mean of a load that is measured with noise: a cost of frames, which begins anew where the load jumps. */
+/** Running mean of a noisy load (GPU or frame time a pixel), which begins anew where the load jumps. */
 export class SteadyLoad {
-  /** Mean cost (ms) of area 1; 0 until there are loads. */
+  /** Mean load: time (ms) of the pixels at scale 1; 0 until there are loads. */
   mean = 0;
-  /** Loads that the mean is made of. */
+  /** Number of loads in the mean. */
   count = 0;
   private readonly recent = new Float64Array(RECENT);
   private added = 0;
@@ -38,7 +38,7 @@ export class SteadyLoad {
   /** Mean share by which a load differs from the one before. */
   private change = 0.05;
 
-  /** Whether the mean has all the loads that it remembers. */
+  /** Whether the mean holds about as many loads as it is to remember. */
   get isSteady(): boolean {
     return this.count >= STEADY * this.memory;
   }
@@ -48,16 +48,16 @@ export class SteadyLoad {
     return DEVIATION * this.change;
   }
 
-  /** Share by which the mean may be off. */
+  /** Relative error that the mean may have. */
   get doubt(): number {
     return (CERTAINTY * this.noise) / Math.sqrt(Math.max(1, this.count));
   }
 
-  /** @returns whether the mean began anew, since the load jumped */
+  /** @returns whether the load jumped, so that the mean began anew */
   add(measured: number): boolean {
     this.recent[this.added++ % RECENT] = measured;
     const median = medianOfLast(this.recent, this.added, RECENT);
-    // single frames that took far longer, or were interrupted, count as much as noise does
+    // single frames that took far longer, or were interrupted, count no more than noise
     const off = Math.max(JUMP, JUMP_DEVIATIONS * this.noise);
     const load = Math.min(Math.max(measured, median / (1 + off)), median * (1 + off));
     if (this.last > 0) {
@@ -75,14 +75,14 @@ export class SteadyLoad {
     return false;
   }
 
-  /** Follows another measure of the load, in which all loads are `factor` times as large. */
+  /** Multiplies all loads by `factor`, when the constant of the cost model changes. */
   rescale(factor: number): void {
     this.mean *= factor;
     this.last *= factor;
     for (let i = 0; i < RECENT; i++) this.recent[i] *= factor;
   }
 
-  /** Trusts the loads so far less: another scale begins, which the model of cost may not know. */
+  /** Lowers the weight of earlier loads: the scale changes, and the model of cost may be wrong for it. */
   fade(): void {
     this.count *= FADE;
   }
@@ -92,7 +92,7 @@ export class SteadyLoad {
     this.mean = this.count = this.added = this.last = 0;
   }
 
-  /** Loads to remember: the noisier, the more. */
+  /** Number of loads to remember: more where they are noisier. */
   private get memory(): number {
     const needed = (CERTAINTY * this.noise) / DOUBT;
     return Math.min(Math.max(LEAST, Math.round(needed * needed)), MOST);

@@ -23,21 +23,21 @@ float farol_lumaOf(const in vec4 c) {
   return 0.5 * (c.r + c.b) + c.g;
 }
 
-// straightness of a change across three pixels: 1 if it goes on, 0 where it turns
+// straightness of luma across three pixels: 1 on a steady slope, 0 at a peak or trough
 float farol_straight(const in float before, const in float middle, const in float after) {
   float straight = abs(after - before) / max(max(abs(after - middle), abs(middle - before)), 1e-5);
   straight = clamp(straight, 0.0, 1.0);
   return straight * straight;
 }
 
-// adds a pixel of the four, by its luma and those of its neighbours
+// adds one of the four pixels, from its luma and its neighbours' lumas
 void farol_addPixel(inout FarolEdge edge, const in float weight, const in float below, const in float left,
   const in float middle, const in float right, const in float above) {
   edge.direction += weight * vec2(right - left, above - below);
   edge.length += weight * (farol_straight(left, middle, right) + farol_straight(below, middle, above));
 }
 
-// adds a pixel to the sum, by where it lies from the place; lobe: strength of the kernel's negative lobe
+// adds a pixel to the sum; off: its offset from the place (pixels), lobe: strength of the kernel's negative lobe
 void farol_addTap(inout vec4 sum, inout float total, const in vec2 off, const in vec2 direction, const in vec2 stretch,
   const in float lobe, const in vec4 color) {
   vec2 v = vec2(dot(off, direction), dot(off, vec2(-direction.y, direction.x))) * stretch;
@@ -71,7 +71,7 @@ farol_addPixel(edge, part.x * part.y, gL, jL, kL, farol_lumaOf(l), farol_lumaOf(
 float steep = dot(edge.direction, edge.direction);
 vec2 direction = steep < 1.0 / 32768.0 ? vec2(1.0, 0.0) : edge.direction * inversesqrt(steep);
 float along = min(edge.length * edge.length, 1.0);
-// longest at 45 degrees, where pixels are farther apart
+// up to √2 at 45 degrees, where pixels are farther apart
 float diagonal = 1.0 / max(abs(direction.x), abs(direction.y));
 vec2 stretch = vec2(1.0 + (diagonal - 1.0) * along, 1.0 - 0.5 * along);
 float lobe = mix(0.47, 0.24, along);
@@ -93,5 +93,5 @@ farol_addTap(sum, total, vec2(-1.0, -1.0) - part, direction, stretch, lobe, faro
 farol_addTap(sum, total, vec2(2.0, -1.0) - part, direction, stretch, lobe, farol_smallAt(f + ivec2(2, -1)));
 farol_addTap(sum, total, vec2(-1.0, 2.0) - part, direction, stretch, lobe, farol_smallAt(f + ivec2(-1, 2)));
 farol_addTap(sum, total, vec2(2.0, 2.0) - part, direction, stretch, lobe, farol_smallAt(f + ivec2(2, 2)));
-// no value beyond those of the four pixels: nothing rings
+// clamped to the four pixels' range, so that edges do not ring
 farol_color = clamp(sum / total, min(min(ff, g), min(j, k)), max(max(ff, g), max(j, k)));

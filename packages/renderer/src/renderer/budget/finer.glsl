@@ -13,7 +13,7 @@ layout(location = 0) out highp vec4 farol_color;
 //# main
 vec2 place = gl_FragCoord.xy - farol_offset;
 vec2 texels = farol_finerSize / farol_largeSize;
-// as wide as a texel at least: that is bilinear filtering
+// half width of the box filter, half a texel at least, which is bilinear filtering
 vec2 reach = 0.5 * max(texels, 1.0);
 vec2 low = place * texels - reach;
 vec2 high = place * texels + reach;

@@ -4,11 +4,11 @@
 #include "frameSize"
 #include "perceptual"
 #include "viewport"
-uniform highp sampler2D farol_large; // enlarged, as perceptual.glsl encodes
-uniform highp sampler2D farol_pictureDepth; // of the small picture
+uniform highp sampler2D farol_large; // enlarged picture, encoded by perceptual.glsl
+uniform highp sampler2D farol_pictureDepth; // depth of the small picture
 uniform highp vec2 farol_scaling; // pixels of the small picture a pixel of the large one
 uniform highp vec2 farol_largeSize; // size of the large picture (pixels)
-uniform highp float farol_sharpness; // 0: none, 1: all that the neighbours allow
+uniform highp float farol_sharpness; // strength, 0 for none to 1 for as much as the neighbours allow
 layout(location = 0) out highp vec4 farol_color;
 
 vec4 farol_largeAt(const in ivec2 pixel) {

@@ -1,4 +1,4 @@
-/** Reasons for the scale of a frame. */
+/** Sentences of `BudgetInfo.reason` for a frame's scale. */
 export const REASONS = {
   unknown: 'the time of a frame is not known yet',
   held: 'frames take the time of the budget at this scale',
@@ -9,9 +9,9 @@ export const REASONS = {
   trial: 'a larger scale is tried',
 };
 
-/** Reasons why a frame is drawn at full size. */
+/** Sentences of `BudgetInfo.reason` for frames drawn at full size. */
 export const WHOLE = {
-  buffered: 'effects of three have its output buffer',
+  buffered: "three's effects read its output buffer",
   several: 'the target has several textures',
   part: 'the target is part of a cube, an array or mipmaps',
   small: 'the picture is small',

@@ -8,14 +8,14 @@ const ORIGIN = new Sphere();
 
 /**
  * Three's traversal of a scene for one camera of an array. Stock three traverses once for the whole array: levels of detail
- * (LOD) and the order of draws go by the array's own place and projection, so that they are the same in all of its parts.
+ * (LOD) and the order of draws follow the array's own position and projection, so that all parts of the picture have the same.
  */
 export class ArrayTraversal {
-  /** Array whose place the camera has while the traversal runs. */
+  /** Array whose position the camera takes while the traversal runs. */
   private array: Seeing | null = null;
   private camera!: Seeing;
 
-  /** @param seenBy - array that contains the camera; for another camera nothing is done */
+  /** @param seenBy - array that contains the camera; a camera outside of an array changes nothing */
   begin(camera: Camera, seenBy: Camera): void {
     if ((seenBy as Seeing).isArrayCamera !== true) return;
     projectionView.multiplyMatrices(seenBy.projectionMatrix, seenBy.matrixWorldInverse);
@@ -23,7 +23,7 @@ export class ArrayTraversal {
     this.exchange((this.array = seenBy as Seeing));
   }
 
-  /** Depth by which three sorts an object: in the clip space of the traversed array camera; `z` without one. */
+  /** Depth by which three sorts an object: in the clip space of the traversed array; `z` outside of an array. */
   depthOf(object: Object3D & { boundingSphere?: Sphere }, { boundingSphere }: BufferGeometry, z: number): number {
     if (this.array === null) return z;
     center.copy((object.boundingSphere ?? boundingSphere ?? ORIGIN).center as unknown as Vector4); // copying a Vector3 sets w to 1

@@ -18,20 +18,20 @@ const LOST = 120;
 const NONE = -1;
 
 /**
- * Stages of a trial: draws by the technique at hand and by its rival, then one more, whose times tell that those of the second
- * are complete.
+ * Stages of a trial: one draw by the current technique, one by its rival, then one more, whose times show that the rival's are
+ * complete.
  */
 const [IDLE, FIRST, SECOND, LAST] = [0, 1, 2, 3];
 
 type Chooser = TechniqueChooser<WarmUp>;
 
-/** State of a scene. */
+/** Learning state of one scene. */
 class LearningScene {
   /** Technique that draws in place of the one that the rule picked; null for none. */
   substitute: ChosenTechnique | null = null;
-  /** Draws in a row in which another technique was faster, as learnt. */
+  /** Number of draws in a row in which the learnt verdict was for another technique. */
   waited = 0;
-  /** Technique to make ready, for a trial or a change; null for none. */
+  /** Technique whose programs are to be compiled, for a trial or a change; null for none. */
   next: ChosenTechnique | null = null;
   preparation: WarmUp | null = null;
 
@@ -41,8 +41,8 @@ class LearningScene {
 }
 
 /**
- * Draws the trials that 'auto' learns from, and what was learnt. A trial is one draw by a technique whose programs are ready,
- * timed by the GPU and the CPU as the draw before it is; times come some draws later, so that nothing waits for them.
+ * Draws the trials that 'auto' learns from, and draws by learnt techniques. A trial is one draw by a technique whose programs
+ * are ready, timed on GPU and CPU like the draw before it; the times are read some draws later, so that nothing waits.
  */
 export class LearningFrames {
   /** Sentence on why the technique of this frame is not the rule's; null where it is. */
@@ -53,7 +53,7 @@ export class LearningFrames {
   private timer: GpuTimer | null = null;
   private stage = IDLE;
   private trial = 0;
-  /** Scene, camera, pair and key of the trial under way. */
+  /** Chooser (one for each scene), camera, techniques and key of the trial under way. */
   private chooser: Chooser | null = null;
   private camera: Camera | null = null;
   private one: ChosenTechnique = 'clustered-deferred';
@@ -75,9 +75,9 @@ export class LearningFrames {
   }
 
   /**
-   * @param technique - the rule's
-   * @param passTimer - times the passes already; null for none
-   * @param mayMeasure - whether trials may be drawn and timed; else what was learnt is only used
+   * @param technique - technique that the rule picked
+   * @param passTimer - timer that times the passes already; null for none
+   * @param mayMeasure - whether trials may be drawn and timed; else only earlier verdicts are used
    * @returns the technique to draw this frame by
    */
   pick(
@@ -116,7 +116,7 @@ export class LearningFrames {
     return drawn;
   }
 
-  /** Makes the next technique of a scene ready, a little in each frame; call inside three's `render`, when all is drawn. */
+  /** Compiles the next technique of a scene, a little in each frame; call inside three's `render`, after all draws. */
   warmUp(chooser: Chooser, draws: EffectsByTechnique): void {
     const scene = this.scenes.get(chooser);
     if (scene === undefined || scene.next === null || scene.preparation?.ready) return;
@@ -143,7 +143,7 @@ export class LearningFrames {
     this.ownTimer = this.timer = null;
   }
 
-  /** Takes the times that have come; those of the passes' own timer are taken when the frame begins. */
+  /** Reads the times that have arrived; the passes' own timer is read when the frame begins. */
   private follow(passTimer: GpuTimer | null): void {
     this.ownTimer ??= new GpuTimer(this.frame.gl);
     const timer = passTimer ?? this.ownTimer;
@@ -155,7 +155,7 @@ export class LearningFrames {
     if (++this.waited > LOST) this.abandon();
   }
 
-  /** Goes on with a trial, or begins one. @returns the technique to draw by */
+  /** Continues a trial, or begins one. @returns the technique to draw by */
   private step(
     chooser: Chooser,
     scene: LearningScene,
@@ -188,12 +188,12 @@ export class LearningFrames {
     this.measure();
     if (this.stage !== SECOND) return present;
     this.learner.begin();
-    // objects that come later have programs of their own
+    // objects added later need further programs
     scene.drop();
     return rival;
   }
 
-  /** Times this draw. */
+  /** Starts timing this draw. */
   private measure(): void {
     const timer = this.timer!;
     this.measures = true;
@@ -202,7 +202,7 @@ export class LearningFrames {
     if (timer === this.ownTimer) timer.begin('learning');
   }
 
-  /** Changes to the technique that was learnt to be faster, when it has been so for some draws and is ready. */
+  /** Changes to the technique learnt to be faster, once it has been so for some draws and its programs are ready. */
   private change(
     scene: LearningScene,
     technique: ChosenTechnique,
@@ -232,7 +232,7 @@ export class LearningFrames {
     else this.finish();
   };
 
-  /** Learns from a trial: a draw takes as long as the slower of GPU and CPU does. */
+  /** Learns from a trial. The time of a draw is the longer one of GPU and CPU. */
   private finish(): void {
     const { gpu, cpu, key, one, other } = this;
     this.abandon();

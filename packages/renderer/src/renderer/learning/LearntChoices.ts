@@ -1,6 +1,6 @@
 /** Key of `localStorage`. */
 const KEY = 'farol-learnt';
-/** Version of keys and values: raise it when techniques, buckets or what they cost change, and all is learnt anew. */
+/** Version of keys and values: raise it when techniques, keys or costs change, so that all is learnt anew. */
 const VERSION = 2;
 /** Maximum number of entries of a GPU, and of GPUs: about 4 kB each. */
 const ENTRIES = 256;
@@ -38,7 +38,7 @@ export class LearntChoices {
     return this.verdicts.get(key);
   }
 
-  /** Keeps a verdict; the oldest ones go where there are too many. */
+  /** Stores a verdict, in place of the oldest one where there are too many. */
   set(key: number, verdict: Verdict): void {
     const { gpu, verdicts } = this;
     verdicts.delete(key);
@@ -50,7 +50,7 @@ export class LearntChoices {
     try {
       this.storage?.setItem(KEY, JSON.stringify(stored));
     } catch {
-      // a full or forbidden storage: the verdicts of this page remain
+      // storage is full or forbidden: verdicts last as long as the page
     }
   }
 
@@ -68,17 +68,17 @@ export class LearntChoices {
     try {
       this.storage?.removeItem(KEY);
     } catch {
-      // a forbidden storage holds none
+      // storage is forbidden: nothing is stored
     }
   }
 
-  /** Stored verdicts; none where the text is of another version, or no such text. */
+  /** Stored verdicts; none if the stored text has another version or form. */
   private read(): Stored {
     try {
       const stored = JSON.parse(this.storage?.getItem(KEY) ?? 'null') as Stored | null;
       if (stored?.version === VERSION && Object.values(stored.gpus).every((list) => list.every(isEntry))) return stored;
     } catch {
-      // not written by this class
+      // the text was not written by this class
     }
     return { version: VERSION, gpus: {} };
   }

@@ -3,13 +3,13 @@ import { type LearntChoices, TIE, type Verdict } from './LearntChoices';
 
 /** Number of frames from one trial to the next: 1 of 64 costs 1.6%. */
 const INTERVAL = 64;
-/** Number of frames from one trial to the next once there is a verdict, to check it. */
+/** Number of frames from one trial to the next, once there is a verdict to check. */
 const SETTLED_INTERVAL = 512;
 /** Number of trials for a verdict; odd, for a median. */
 const TRIALS = 15;
-/** Share of the time by which a technique must be faster to win, or to take the place of the one that has won. */
+/** Share of the time by which a technique must be faster to win, or to replace the winner. */
 const MARGIN = 0.08;
-/** Factors of the chooser's bounds; where they change its choice, the choice is close. Nearest first. */
+/** Factors of the chooser's bounds, nearest to 1 first; the choice is close where a factor changes it. */
 const SCALES = [1, 2, 0.5, 4, 0.25];
 
 /** Order of techniques in keys; part of the stored version. */
@@ -23,12 +23,12 @@ const order: readonly ChosenTechnique[] = [
 /** Factor of the first technique of a pair in keys. */
 const PAIR = 8;
 
-/** A verdict of 'auto' on a GPU: the faster of two techniques, for numbers of lights and pixels up to twice those listed. */
+/** A verdict of 'auto' on a GPU: the faster of two techniques, for figures from those listed up to twice as large. */
 export interface LearntChoice {
   /** Device by WEBGL_debug_renderer_info. */
   readonly gpu: string;
   readonly techniques: readonly [ChosenTechnique, ChosenTechnique];
-  /** Null where neither is faster by 8%. */
+  /** Faster technique; null where neither is faster by 8%. */
   readonly faster: ChosenTechnique | null;
   readonly lights: number;
   /** Mean number of lights over a pixel. */
@@ -62,8 +62,8 @@ interface Rule {
 }
 
 /**
- * Learns from the times of trials which of two techniques is faster on a GPU, for about so many lights, lights a pixel and
- * pixels. A verdict takes fifteen trials and 8% of the time, and is tried again ever after. Lookups allocate nothing.
+ * Learns from timed trials which of two techniques is faster on a GPU, for similar numbers of lights, lights a pixel and pixels.
+ * A verdict takes fifteen trials and a difference of 8%; later trials check it. Lookups allocate nothing.
  */
 export class TechniqueLearner {
   private readonly trials = new Map<number, Trials>();
@@ -73,8 +73,8 @@ export class TechniqueLearner {
   constructor(readonly learnt: LearntChoices) {}
 
   /**
-   * Technique that the rule hesitates to take in place of `technique`, which it has picked; null where it is sure.
-   * @param multisampled - techniques whose edges look alike only: all with a G-buffer, or all without
+   * Technique that the rule would pick with slightly other bounds; null where its choice of `technique` is clear.
+   * @param multisampled - whether to allow only rivals with the same edges: both with a G-buffer, or both without
    */
   rivalOf(
     technique: ChosenTechnique,
@@ -100,7 +100,7 @@ export class TechniqueLearner {
     return (((pair * 32 + lights) * 32 + coverage) * 32 + overdraw) * 32 + steps(figures.pixels);
   }
 
-  /** Faster technique of a pair, as learnt; `technique`, which the rule picked, where nothing is. */
+  /** Faster technique of a pair, as learnt; without a verdict `technique`, which the rule picked. */
   fasterOf(technique: ChosenTechnique, rival: ChosenTechnique, key: number): ChosenTechnique {
     const verdict = this.learnt.get(key);
     if (verdict === undefined || verdict === TIE) return technique;
@@ -145,7 +145,7 @@ export class TechniqueLearner {
   }
 }
 
-/** Doublings from 1 on, 0 to 31. */
+/** Number of doublings from 1 to a value, 0 to 31. */
 const steps = (value: number): number => Math.min(31, Math.floor(Math.log2(Math.max(1, value))));
 
 const isDeferred = (technique: ChosenTechnique): boolean => technique.endsWith('deferred');

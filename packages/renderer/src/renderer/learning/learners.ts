@@ -5,7 +5,7 @@ import { type LearntChoice, readVerdict, TechniqueLearner } from './TechniqueLea
 /** Learners by GPU, shared by all renderers of a page. */
 const learners = new Map<string, TechniqueLearner>();
 
-/** Learner of the GPU that a context draws by, with what was stored of it. */
+/** Learner of the context's GPU, with its stored verdicts. */
 export function learnerOf(gl: WebGL2RenderingContext): TechniqueLearner {
   const gpu = graphicsDevice(gl);
   let learner = learners.get(gpu);
@@ -14,13 +14,13 @@ export function learnerOf(gl: WebGL2RenderingContext): TechniqueLearner {
   return learner;
 }
 
-/** Forgets what was learnt on all GPUs, stored or not. */
+/** Deletes the verdicts on all GPUs, stored or not. */
 export function clearLearnt(): void {
   for (const learner of learners.values()) learner.clear();
   new LearntChoices('', storageOfPage()).clear();
 }
 
-/** All that was learnt, on all GPUs of this browser. */
+/** All verdicts learnt, on all GPUs of this browser. */
 export function learntChoices(): LearntChoice[] {
   const [learner] = learners.values();
   const choices = learner?.learnt ?? new LearntChoices('', storageOfPage());

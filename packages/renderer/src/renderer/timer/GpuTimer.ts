@@ -17,9 +17,9 @@ interface TimerExtension {
 export class GpuTimer {
   /** Last known GPU time of each pass (ms). */
   readonly times = new Map<string, number>();
-  /** Number that is kept with the times taken from here on, for `onTime`. */
+  /** Number stored with times measured from now on, passed to `onTime`. */
   tag = 0;
-  /** Called with each time as it comes (ms, NaN if it was interrupted), in order, with its tag. */
+  /** Called with each time as it arrives (ms, NaN if it was interrupted), in order, with its tag. */
   onTime: ((tag: number, ms: number) => void) | null = null;
   private extension: TimerExtension | null = null;
   private readonly pending: Pending[] = [];
@@ -50,7 +50,7 @@ export class GpuTimer {
     this.running = false;
   }
 
-  /** Takes the results that are there. @returns whether there were any */
+  /** Reads the results that have arrived. @returns whether there were any */
   poll(): boolean {
     const { gl, extension, pending } = this;
     if (extension === null || pending.length === 0) return false;
@@ -66,7 +66,7 @@ export class GpuTimer {
     return pending.length < waiting;
   }
 
-  /** Begins anew after a lost context: its queries are gone, and extensions must be asked for again. */
+  /** Restarts after a lost context: its queries are lost, and the extension must be read again. */
   restart(): void {
     this.pending.length = this.free.length = 0;
     this.running = false;

@@ -17,11 +17,11 @@ const MOST_CELLS = 8;
 const POINTS_A_CELL = 16;
 /** Number of frames from one estimate to the next. */
 const INTERVAL = 32;
-/** Number of opaque items beyond which nothing is estimated: the CPU takes longer than the GPU then. */
+/** Number of opaque items beyond which nothing is estimated, since the CPU then takes longer than the GPU. */
 const MOST_ITEMS = 1000;
 /** Number of points of all items, of which fewer are read where there are many items. */
 const MOST_POINTS = 4096;
-/** Number of parts of cells that are looked at. */
+/** Capacity of the arrays of parts. */
 const MOST_PARTS = MOST_POINTS + MOST_ITEMS;
 /** Number of runs, beyond which nothing is estimated: items drawn one after the other, of one material and render order. */
 const MOST_RUNS = 64;
@@ -42,13 +42,13 @@ const columns = new Float64Array(MOST_PARTS);
 const rows = new Float64Array(MOST_PARTS);
 const runOf = new Uint8Array(MOST_PARTS);
 const areas = new Float64Array(MOST_PARTS);
-/** Parts from near to far: depth and index in one number. */
+/** Sort key of each part: depth and index in one number. */
 const keys = new Float64Array(MOST_PARTS);
 /** First item of each run, in the order in which they are drawn; empty between estimates. */
 const runs: RenderItem[] = [];
-/** Share of each cell that what was met so far of each run covers. */
+/** Share of each cell that nearer parts of each run cover. */
 const front = new Float64Array(MOST_CELLS * MOST_CELLS * MOST_RUNS);
-/** For each run and another one: cells of the other that it hides. */
+/** Number of cells of a second run that a first one hides, by first and second. */
 const hides = new Float64Array(MOST_RUNS * MOST_RUNS);
 
 /**
@@ -65,20 +65,20 @@ export class Overdraw {
   private frames = 0;
   private parts = 0;
 
-  /** Counts a frame, which has been drawn. */
+  /** Counts a drawn frame, and estimates anew in every 32nd. */
   follow({ camera, queue: { opaque } }: EstimatedFrame): void {
     if (this.frames++ % INTERVAL !== 0) return;
     const isKnown = opaque.length <= MOST_ITEMS && this.place(opaque, camera);
-    const layers = isKnown ? this.meet() : 0;
+    const layers = isKnown ? this.compare() : 0;
     this.layers = this.frames === 1 ? layers : (this.layers + layers) / 2;
     this.ranks.clear();
     if (isKnown) this.rank();
     runs.length = 0;
   }
 
-  /** Finds the parts of cells that items cover. @returns false where they change material too often */
+  /** Finds the parts of the picture that items cover. @returns false where they change material too often */
   private place(items: readonly RenderItem[], camera: Camera): boolean {
-    // a host's getter that threw may have left some
+    // an estimate that a host's getter ended by throwing may have left items here
     runs.length = this.parts = this.triangles = 0;
     const step = Math.ceil((items.length * POINTS) / MOST_POINTS);
     let last: RenderItem | null = null;
@@ -128,8 +128,8 @@ export class Overdraw {
     areas[part] = area;
   }
 
-  /** Meets parts from near to far, and sets `hides`. @returns share of the picture that is drawn and hidden later */
-  private meet(): number {
+  /** Goes through the parts from near to far, and sets `hides`. @returns share of the picture that is drawn and hidden later */
+  private compare(): number {
     const { parts } = this;
     for (let i = 0; i < parts; i++) keys[i] = Math.round(Math.min(depths[i], 1e6) * 1024) * MOST_PARTS + i;
     keys.subarray(0, parts).sort();
@@ -153,7 +153,7 @@ export class Overdraw {
     return wasted / (side * side);
   }
 
-  /** Ranks materials: the next one is that which loses least by coming before all that are left. */
+  /** Ranks materials: next comes the material that wastes least by coming before all that are left. */
   private rank(): void {
     for (let rank = 0; ; rank++) {
       let next: Material | null = null;

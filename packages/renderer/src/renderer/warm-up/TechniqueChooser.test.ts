@@ -16,8 +16,13 @@ const scene = (figures: Partial<SceneFigures>): SceneFigures => ({
 describe('TechniqueChooser', () => {
   const few = scene({ bounded: 1, everywhere: 0 });
   const many = scene({ bounded: 50, coverage: 30 });
-  const frames = (chooser: TechniqueChooser, count: number, figures: SceneFigures, prepares = true) =>
-    Array.from({ length: count }, () => chooser.choose(figures, prepares).technique);
+  const frames = (chooser: TechniqueChooser, count: number, figures: SceneFigures) =>
+    Array.from({ length: count }, () => chooser.choose(figures).technique);
+  /** Techniques of frames where a technique is ready as soon as it is asked for. */
+  const readyFrames = (chooser: TechniqueChooser, count: number, figures: SceneFigures) => {
+    Object.defineProperty(chooser, 'preparation', { get: () => ({ ready: true }), set: () => {} });
+    return frames(chooser, count, figures);
+  };
 
   it('takes lists from three lights on, and a G-buffer where many lie over a pixel', () => {
     expect(new TechniqueChooser().choose(scene({ bounded: 1, everywhere: 1 })).technique).toBe('forward-single-pass');
@@ -164,7 +169,7 @@ describe('TechniqueChooser', () => {
     expect(frames(chooser, 1, { ...layered, surfaces: true })).toEqual(['clustered-deferred']);
     const other = new TechniqueChooser();
     frames(other, 20, layered);
-    const after = frames(other, 20, { ...layered, overdraw: 0 }, false);
+    const after = readyFrames(other, 20, { ...layered, overdraw: 0 });
     expect(after.indexOf('clustered-deferred')).toBe(7);
   });
 
@@ -192,11 +197,10 @@ describe('TechniqueChooser', () => {
     const seen = new Set<string>();
     for (let i = 0; i < 100; i++) seen.add(chooser.choose(scene({ coverage: i % 2 ? 1.8 : 2.3 })).technique);
     expect([...seen]).toEqual([first]);
-    const frames: string[] = [];
-    for (let i = 0; i < 20; i++) frames.push(chooser.choose(scene({ coverage: 10 })).technique);
-    expect(frames[0]).toBe(first);
-    expect(frames.indexOf('clustered-deferred')).toBe(7);
-    expect(frames.at(-1)).toBe('clustered-deferred');
+    const drawn = readyFrames(chooser, 20, scene({ coverage: 10 }));
+    expect(drawn[0]).toBe(first);
+    expect(drawn.indexOf('clustered-deferred')).toBe(7);
+    expect(drawn.at(-1)).toBe('clustered-deferred');
   });
 
   it('keeps to its choice a little past the bound, on either side, until the other was best for long', () => {
@@ -208,10 +212,10 @@ describe('TechniqueChooser', () => {
       const first = chooser.choose(scene({ coverage: from })).technique;
       const { technique } = new TechniqueChooser().choose(scene({ coverage: to }));
       expect(technique).not.toBe(first);
-      expect(new Set(frames(chooser, 100, scene({ coverage: to }), false))).toEqual(new Set([first]));
+      expect(new Set(readyFrames(chooser, 100, scene({ coverage: to })))).toEqual(new Set([first]));
       frames(chooser, 1, scene({ coverage: from }));
-      expect(new Set(frames(chooser, 120, scene({ coverage: to }), false)), 'counted anew').toEqual(new Set([first]));
-      expect(frames(chooser, 20, scene({ coverage: to }), false).at(-1)).toBe(technique);
+      expect(new Set(readyFrames(chooser, 120, scene({ coverage: to }))), 'counted anew').toEqual(new Set([first]));
+      expect(readyFrames(chooser, 20, scene({ coverage: to })).at(-1)).toBe(technique);
     }
   });
 
@@ -225,10 +229,10 @@ describe('TechniqueChooser', () => {
     expect(chooser.next?.technique).toBe('clustered-deferred');
     const preparation = { ready: false };
     chooser.preparation = preparation;
-    expect(chooser.choose(many, true).technique, 'not yet ready').toBe('forward-single-pass');
+    expect(chooser.choose(many).technique, 'not yet ready').toBe('forward-single-pass');
     expect(chooser.preparation).toBe(preparation);
     preparation.ready = true;
-    expect(chooser.choose(many, true).technique).toBe('clustered-deferred');
+    expect(chooser.choose(many).technique).toBe('clustered-deferred');
     expect(chooser.next).toBeNull();
     expect(chooser.preparation).toBeNull();
   });
@@ -254,22 +258,22 @@ describe('TechniqueChooser', () => {
   it('waits for nothing where the old technique cannot draw what is asked', () => {
     const chooser = new TechniqueChooser();
     frames(chooser, 20, few);
-    expect(chooser.choose({ ...few, surfaces: true }, true).technique).toBe('clustered-deferred');
-    expect(chooser.choose({ ...few, floatTargets: false }, true).technique).toBe('forward-single-pass');
+    expect(chooser.choose({ ...few, surfaces: true }).technique).toBe('clustered-deferred');
+    expect(chooser.choose({ ...few, floatTargets: false }).technique).toBe('forward-single-pass');
   });
 
   it('waits as ever where an effect works on a G-buffer that the device cannot have', () => {
     const chooser = new TechniqueChooser();
     frames(chooser, 20, { ...few, surfaces: true, floatTargets: false });
-    const drawn = frames(chooser, 8, { ...many, surfaces: true, floatTargets: false }, false);
+    const drawn = readyFrames(chooser, 8, { ...many, surfaces: true, floatTargets: false });
     expect(drawn.indexOf('clustered-forward')).toBe(7);
   });
 
   it('does not jump in a scene that has been drawn for a while, however far behind the bound is', () => {
     const chooser = new TechniqueChooser();
     frames(chooser, 20, few);
-    expect(frames(chooser, 8, many, false).indexOf('clustered-deferred')).toBe(7);
-    expect(frames(chooser, 8, few, false).indexOf('forward-single-pass'), 'and back').toBe(7);
+    expect(readyFrames(chooser, 8, many).indexOf('clustered-deferred')).toBe(7);
+    expect(readyFrames(chooser, 8, few).indexOf('forward-single-pass'), 'and back').toBe(7);
   });
 
   it('follows at once where the bound is far behind and the scene is new, as when its lights come', () => {
@@ -286,11 +290,11 @@ describe('TechniqueChooser', () => {
     ] as const) {
       const chooser = new TechniqueChooser();
       frames(chooser, drawn, few);
-      expect(chooser.choose(many, true).technique, `after ${drawn} frames`).toBe(far);
+      expect(chooser.choose(many).technique, `after ${drawn} frames`).toBe(far);
     }
     const chooser = new TechniqueChooser();
     chooser.choose(scene({ coverage: 1 }));
-    expect(chooser.choose(scene({ coverage: 10 }), true).technique, 'not so far').toBe('clustered-forward');
+    expect(chooser.choose(scene({ coverage: 10 })).technique, 'not so far').toBe('clustered-forward');
   });
 
   it('says why', () => {

@@ -23,7 +23,7 @@ export interface SceneFigures {
   readonly pixels: number;
   /** Whether the host's target has several samples a pixel: a depth pre-pass is then drawn twice. */
   readonly multisampled: boolean;
-  /** Shadings of a pixel that later items hide; 0 until it is estimated. */
+  /** Estimated shadings of a pixel that later items hide, on average; 0 until estimated. */
   readonly overdraw: number;
   /** Number of triangles that a depth pre-pass would draw; 0 until it is estimated. */
   readonly triangles: number;
@@ -47,7 +47,7 @@ export interface Choice {
   readonly reason: string;
 }
 
-/** Up to this many lights a list costs more than it saves; measured, as all bounds here: see docs/performance.md. */
+/** Up to this many lights, light lists cost more than they save. All bounds here are measured: see docs/performance.md. */
 const FEW_LIGHTS = 2;
 /** FEW_LIGHTS for a scene in which a pixel is drawn about once. */
 const FEW_LIGHTS_OVER_FEW_OBJECTS = 4;
@@ -68,15 +68,15 @@ const SMALL_LIGHT = 0.125;
  */
 const VERY_MANY_LIGHTS = 200;
 /**
- * Number of opaque items from which on the CPU takes longer than the GPU, and number of lights from which on it then takes
- * less for lists of tiles, which the GPU makes.
+ * Number of opaque items from which on the CPU takes longer than the GPU, and number of lights from which on tile lists, which
+ * the GPU makes, then save CPU time.
  */
 const MANY_OBJECTS = 1000;
 const MANY_LIGHTS_OVER_MANY_OBJECTS = 50;
 /**
  * Costs of 'forward-plus', whose depth pre-pass leaves one shading of each pixel, in shadings of a pixel (0.5 ns on an H200):
- * depth, its copy and lists of tiles beside a G-buffer and its output, and beside a forward technique; each light over a
- * pixel, since materials walk the list; a triangle that is drawn twice; the passes themselves, whatever the picture.
+ * depth, its copy and tile lists, compared with a G-buffer and its output, and with a forward technique; each light over a
+ * pixel, since materials loop over the list; a triangle drawn twice; the passes themselves, for any picture.
  */
 const DEPTH_BESIDE_GBUFFER = 0.2;
 const DEPTH_BESIDE_FORWARD = 0.7;
@@ -86,11 +86,11 @@ const PASSES = 300_000;
 /** Factor by which a bound must be passed, for some frames in a row, before another technique is chosen. */
 const SLACK = 1.3;
 const PATIENCE = 8;
-/** Frames in a row in which another technique is best, by however little, after which the choice no longer stays. */
+/** Number of frames in a row in which another technique is best, even slightly, after which the choice changes. */
 const LASTING = 120;
 /**
- * A bound passed by this factor counts at once in a scene's first frames: it is loading, and may not be drawn again
- * soon.
+ * Factor by which a bound must be passed to change the choice at once in a scene's first frames: the scene is loading, and may
+ * not be drawn again soon.
  */
 const FAR = 4;
 
@@ -124,7 +124,7 @@ const choices: Record<ChosenTechnique, Choice> = {
 export class TechniqueChooser<P extends Preparation = Preparation> {
   /** Technique to draw by as soon as its programs are ready; null when the present one is to stay. */
   next: Choice | null = null;
-  /** Makes `next` ready. Set by the user; dropped when `next` changes. */
+  /** Compiles `next`. Set by the caller; dropped when `next` changes. */
   preparation: P | null = null;
   private current: Choice | null = null;
   private waited = 0;
@@ -132,18 +132,17 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   private outdone = 0;
   private frames = 0;
 
-  /** Whether the scene was drawn so often that it must be taken to be on the screen, no longer loading. */
+  /** Whether the scene was drawn often enough to be on the screen, no longer loading. */
   get settled(): boolean {
     return this.frames > PATIENCE;
   }
 
-  /** Whether another technique has been better lately, and may be changed to in one of the next frames. */
+  /** Whether another technique has been better lately, so that the choice may change within the next frames. */
   get isChanging(): boolean {
     return this.waited > 0;
   }
 
-  /** @param prepares - whether someone makes `next` ready; else it is drawn by unprepared. Default false */
-  choose(figures: SceneFigures, prepares = false): Choice {
+  choose(figures: SceneFigures): Choice {
     const best = choices[this.best(figures, 1)];
     const { current } = this;
     if (current === null) return (this.current = best);
@@ -160,7 +159,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     this.next = next;
     if (
       impossible ||
-      (next !== null && (!prepares || this.preparation?.ready)) ||
+      (next !== null && this.preparation?.ready) ||
       !(this.settled || holds || this.holds(figures, FAR))
     ) {
       this.current = best;
@@ -178,7 +177,8 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
 
   /**
    * Technique that the rule picks for figures.
-   * @param scale - factor of its bounds: above 1 it takes techniques for fewer lights a pixel, and for more lists and overdraw
+   * @param scale - factor of its bounds: above 1, more lights a pixel are needed for a G-buffer, and lists and overdraw count
+   *   for less
    */
   best(figures: SceneFigures, scale: number): ChosenTechnique {
     const listed = this.withoutDepth(figures, scale);
@@ -208,7 +208,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
 }
 
 /**
- * The figures of a frame whose lights are collected.
+ * Figures of a frame whose lights are collected.
  * @param surfaces - whether an effect works on a G-buffer
  * @param floatTargets - whether float colour targets can be drawn to
  */

@@ -23,10 +23,10 @@ const stop = (): never => {
 };
 
 /**
- * Makes a technique ready to draw the scene at hand while another one draws it. At the end of a frame its passes run
- * with all targets bound as they would be, but each draw ends where three has set its program to compile and link:
- * nothing is drawn, cleared or waited for, and nothing of the host's is called but what a compilation calls. One new
- * program a frame, then one a frame that the device is done with is given its uniforms, so that no frame is long.
+ * Compiles a technique's programs for the current scene while another technique draws it. At the end of a frame its passes run
+ * with all targets bound as they would be, but each draw ends once three has started to compile and link its program: nothing is
+ * drawn, cleared or waited for, and only those callbacks of the host run that a compilation calls. Each frame starts one new
+ * program at most; then each sets the uniforms of one linked program, so that no frame is long.
  */
 export class WarmUp implements Preparation {
   /** True when all programs that the technique needs for the scene, as of the last `step`, are linked. */
@@ -36,7 +36,7 @@ export class WarmUp implements Preparation {
   private readonly triedGeometries = new Map<Material, Set<object>>();
   private programs: ProgramList | null = null;
   private waiting!: WaitingPrograms;
-  /** Number of draws that this frame may still try. */
+  /** Number of draws that may still be tried in this frame. */
   private left = 0;
   /** Whether a draw was left for a later frame. */
   private cut = true;
@@ -59,7 +59,7 @@ export class WarmUp implements Preparation {
       },
       drawMesh: (mesh: Mesh, material: Material) =>
         this.tryDraw(mesh, { geometry: mesh.geometry, group: null }, material),
-      // a pass compiles ahead once: each such call is tried, whatever is left
+      // a pass calls this once: always tried, whatever `left` says
       compileMesh: (mesh: Mesh, material: Material) => {
         const { left } = this;
         this.left = 1;
@@ -69,11 +69,11 @@ export class WarmUp implements Preparation {
     });
   }
 
-  /** Call inside three's `render`, when all is drawn; may leave another target bound. */
+  /** Compiles a little more. Call inside three's `render`, after all draws; may leave another target bound. */
   step(effects: readonly FarolEffect[]): void {
     const programs = programsOf(this.frame.webgl);
     if (programs !== this.programs) {
-      // the list of programs is new after a lost context
+      // after a lost context three has a new list of programs
       this.programs = programs;
       this.waiting = waitingPrograms(programs);
       this.triedGeometries.clear();
@@ -89,7 +89,7 @@ export class WarmUp implements Preparation {
     const { fills = 'behind' } = this.technique;
     const { queue } = frame;
     for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
-    // the dry pass fills what the technique of this frame fills
+    // the dry run declares the same fills as the technique of this frame
     dry.fills = fills;
     dry.resources.begin();
     this.left = DRAWS;

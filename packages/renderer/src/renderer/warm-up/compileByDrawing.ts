@@ -5,7 +5,7 @@ import { programsOf } from '../../three/WaitingPrograms';
 
 const load = (parts: Iterable<Lazy<object>>): Promise<unknown> => Promise.all(Array.from(parts, (part) => part.load()));
 
-/** Finds the lights of a scene, as a frame does. */
+/** Finder of a scene's lights, as a frame uses it. */
 interface LightSearch {
   find(scene: Object3D, camera: Camera, lightLayers: boolean): void;
 }
@@ -20,10 +20,10 @@ export interface Compiled {
 }
 
 /**
- * Fetches the code that a frame of the scene asks for, draws one pixel, which starts the compilation of everything the scene
- * needs, then waits until the device is done.
+ * Fetches the code that a frame of the scene needs, draws one pixel, which starts the compilation of the scene's programs, then
+ * waits until the device has linked them.
  *
- * @param last - frame of `farol`: parts of the code that it lacked
+ * @param last - last frame of `farol`, with the code that it lacked
  * @throws Error when code cannot be fetched
  */
 export async function compileByDrawing(
@@ -35,7 +35,7 @@ export async function compileByDrawing(
 ): Promise<void> {
   const outer = Lazy.lacking;
   const asked = (Lazy.lacking = new Set());
-  // lights ask for most code; a frame without that code would compile in vain
+  // lights need most of the late code; a frame without it would compile programs that are not used
   finder.find(scene, camera, farol.lightLayers);
   Lazy.lacking = outer;
   await Promise.all([load(asked), farol.techniques[farol.technique].lazy?.load()]);
@@ -49,7 +49,7 @@ export async function compileByDrawing(
   }
 }
 
-/** Draws a scene to a target of one pixel, by the programs that draw it to the current target. */
+/** Draws a scene to a target of one pixel, with the programs that the current target needs. */
 export function drawOnePixel(farol: Pick<Compiled, 'webgl' | 'render'>, scene: Object3D, camera: Camera): void {
   const { webgl } = farol;
   const before = webgl.getRenderTarget();

@@ -3,12 +3,12 @@
  *
  * | state | the region |
  * |---|---|
- * | none | there is none |
- * || empty | is new: holds nothing | |
- * | lost | has lost what was drawn, with the context or the atlas' texture; the scene is as it was then |
+ * | none | does not exist |
+ * | empty | is new: holds nothing |
+ * | lost | has lost its content, with the context or the atlas' texture; casters have not changed since |
  * | partial | holds the map where receivers can be seen |
  * | whole | holds all of the map |
- * | stale-partial, stale-whole | hold a map of what has changed since |
+ * | stale-partial, stale-whole | holds a map, but casters have changed since |
  */
 export type MapState = 'none' | 'empty' | 'lost' | 'partial' | 'whole' | 'stale-partial' | 'stale-whole';
 
@@ -32,7 +32,7 @@ const AFTER_LOSS: Record<MapState, MapState> = {
   'stale-whole': 'empty',
 };
 
-/** State of one shadow map, or cookie, in its atlas; only these methods change it. README.md says who calls each. */
+/** State of one shadow map, or cookie, in its atlas; only these methods change it. README.md lists their callers. */
 export class AtlasMap {
   /** Number of the last frame in which the map was out of date; written by `noteAge`. */
   since = 0;
@@ -56,7 +56,7 @@ export class AtlasMap {
     return this.current === 'partial' || this.current === 'whole';
   }
 
-  /** Whether a caster has changed since the map was drawn, or nothing was drawn. */
+  /** Whether the map was not drawn yet, or a caster has changed since. */
   get isStale(): boolean {
     const { current } = this;
     return current !== 'partial' && current !== 'whole' && current !== 'lost';

@@ -1,18 +1,16 @@
-/**
- * Frames (of any camera) in a row for which a shadow map must be finer than pictures show, before its side is halved.
- */
+/** Number of frames (of any camera) in a row in which a shadow map is finer than pictures show, before its side is halved. */
 const PATIENCE = 30;
-/** Eighths of a halving by which a shadow map must be too fine before its side is halved. */
+/** Number of eighths of a halving by which a shadow map must be too fine before its side is halved. */
 const MARGIN = 2;
 
 /**
- * Level of detail of a map: how often the size that its light asks for is halved, because pictures show no more. It goes up
- * (to fewer texels) only after a while, and down at once.
+ * Level of detail of a map: number of times that the size set by its light is halved, because pictures would not show more
+ * texels. It rises (fewer texels) only after a while, and falls at once.
  */
 export class MapDetail {
   private applied = 0;
   private sufficient = 0;
-  /** Frames in a row in which a higher level would have done, and the least of those levels. */
+  /** Number of frames in a row in which a higher level would have sufficed, and the least of those levels. */
   private patience = 0;
   private leastSufficient = 0;
 
@@ -34,8 +32,8 @@ export class MapDetail {
 
   /**
    * Sets `target` for a map that has a region.
-   * @param eighths - eighths of halvings that this camera's picture allows
-   * @param updates - whether the map is redrawn on changes; a map that is not must do for all cameras
+   * @param eighths - number of halvings that this camera's picture allows, in eighths
+   * @param updates - whether the map is redrawn on changes; a map that is not redrawn must suffice for all cameras
    */
   aim(eighths: number, updates: boolean): void {
     const { applied } = this;

@@ -7,7 +7,7 @@ import { textureHandle } from '../../three/handles';
 
 /** Greatest side of the atlas of cookies and variance shadow maps (texels). */
 const LARGEST_COLOURS = 4096;
-/** Step of the side of an atlas that bytes bound (texels). */
+/** Step of the side of an atlas that is limited in bytes (texels). */
 const STEP = 256;
 
 /** The two atlases: depths of shadow maps; colours of cookies, with the moments of variance shadow maps. */
@@ -46,9 +46,9 @@ export class ShadowAtlases {
   }
 
   /**
-   * Raises the greatest sides of the atlases; they never fall: cameras may take turns, and the largest picture decides.
-   * @param depths - side asked for shadow maps (texels)
-   * @param bytes - most bytes of each atlas
+   * Raises the limits of the atlases' sides, which never fall: cameras may alternate, and the largest picture decides.
+   * @param depths - needed side of the shadow maps' atlas (texels)
+   * @param bytes - maximum bytes of each atlas
    */
   raiseLimits(depths: number, bytes: number): void {
     this.raise(this.depths, depths, bytes);

@@ -10,7 +10,7 @@ export interface AtlasTenant {
   readonly isCube: boolean;
   /** Number of maps along a side, for a tenant that is a square of several shadow maps; 1 when absent. */
   readonly side?: number;
-  /** Side that the light's own settings ask for (texels). */
+  /** Side set by the light (texels). */
   readonly wantedWidth: number;
   readonly wantedHeight: number;
   /** Share of the picture that the light covers, 0 to 1. */
@@ -19,9 +19,9 @@ export interface AtlasTenant {
   readonly placement: AtlasPlacement;
   /** State of the content of the map's region. */
   readonly map: AtlasMap;
-  /** Halvings of the map, since pictures show no more; none when absent. */
+  /** Halvings of the map whose detail pictures would not show; none when absent. */
   readonly detail?: MapDetail;
-  /** Number of mipmap levels of an image, laid out as mipmapBlock.ts has it; absent: one, without borders but a cube's. */
+  /** Number of mipmap levels of an image, laid out by mipmapBlock.ts; absent: one, without borders except a cube's. */
   readonly levels?: number;
   /**
    * Width of the border round each face of a cube with sides of `faceWidth` texels: it repeats the neighbouring faces,
@@ -34,18 +34,18 @@ export interface AtlasTenant {
 
 /** Side of the smallest atlas (texels). */
 const SMALLEST = 512;
-/** Side of an atlas (texels) beyond which it grows in steps of less than its size. */
+/** Side of an atlas (texels) beyond which it no longer doubles, but grows in smaller steps. */
 const FINE_STEPS = 4096;
 /** Side of a shadow map (texels) at and below which it is not halved. */
 const SMALLEST_MAP = 16;
-/** All maps of a full atlas are placed anew at most once in this many rebalancings. */
+/** Number of rebalancings from one placement of all maps in a full atlas to the next, at least. */
 const REBALANCINGS = 10;
 /** Share of the atlas that regions of mixed sizes are expected to fill. */
 const FILLED = 0.9;
 
 /**
- * One texture in which every shadow map (or image) has a region of the size that is asked for. The texture grows with what is
- * asked for, up to a limit; then the maps of lights that cover least of the picture for their size are halved.
+ * One texture in which every shadow map (or image) has a region of its wanted size. The texture grows as needed, up to a limit;
+ * then maps are halved whose lights cover least of the picture for their size.
  */
 export class TextureAtlas {
   target: WebGLRenderTarget | null = null;
@@ -58,10 +58,7 @@ export class TextureAtlas {
   /** Share of the largest atlas that maps are reduced to, 0 to 1: lowered when they did not fit. */
   private filled = 1;
 
-  /**
-   * @param limit - texels a side at most
-   * @param make - makes a target of a number of texels a side
-   */
+  /** @param limit - largest side (texels) @param make - makes a target with a given side (texels) */
   constructor(
     private limit: number,
     /** Bytes of a texel of the target. */
@@ -87,9 +84,9 @@ export class TextureAtlas {
   }
 
   /**
-   * Gives every tenant a region of the size that it asks for, or, when there is no room, of a half, a quarter… of it.
-   * @param tenants - those of lit lights
-   * @param kept - tenants of lights that are not lit now; their regions are taken when room is needed
+   * Gives every tenant a region of its wanted size, or, when there is no room, of a half, a quarter… of it.
+   * @param tenants - maps of the frame's lights
+   * @param kept - maps of lights outside of this frame; their regions are freed when room is needed
    * @param rebalances - whether a full atlas chooses anew which maps are halved
    */
   arrange(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[], rebalances: boolean): void {
@@ -105,7 +102,7 @@ export class TextureAtlas {
       order.push(tenant);
     }
     if (order.length > 1) this.sort();
-    // free room may be in pieces: some maps then take less, and only now and then are all placed anew
+    // free room may be in pieces: some maps are then halved, and all are placed anew only in every tenth rebalancing
     const squeezes = rebalancing && kept.length === 0 && ++this.rebalancings % REBALANCINGS !== 0;
     for (const tenant of order) {
       if (this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) continue;

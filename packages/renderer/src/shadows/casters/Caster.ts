@@ -1,7 +1,7 @@
 import type { Object3D } from 'three';
 import type { CasterGeometry } from './merged/CasterGeometry';
 
-/** One object that casts shadows, as it was when the scene was last walked. */
+/** One object that casts shadows, in its state at the last traversal of the scene. */
 export interface Caster {
   readonly object: Object3D;
   /** World-space bounding sphere: centre, radius (m); radius Infinity where the object is not to be culled. */
@@ -16,11 +16,11 @@ export interface Caster {
   readonly matrix: Float64Array;
   /** Hash of everything that the object's shadow depends on except its matrix, see `casterSignature`. */
   signature: number;
-  /** Number of the last walk over the scene that met the object, see `ShadowCasters.walks`. */
+  /** Number of the last traversal of the scene that found the object, see `ShadowCasters.walks`. */
   lastWalk: number;
   /** Object given to three's traversal, which uploads the buffers of the caster, see `casterProxy`. */
   proxy: Object3D | null;
-  /** Number of the frame for which `proxy` was handed out. */
+  /** Number of the frame that last used `proxy`. */
   proxyFrame: number;
   /** Number of changes of the world matrix, and of other changes of the box. */
   matrixVersion: number;
@@ -29,7 +29,7 @@ export interface Caster {
   signatureWalk: number;
   /** Copy of the object's triangles among the merged casters; null while the object is drawn by itself. */
   merged: MergedCaster | null;
-  /** `signatureVersion` for which the caster last asked to be merged; -1 for none. */
+  /** `signatureVersion` for which the caster was last queued for merging; -1 for none. */
   queuedVersion: number;
 }
 
@@ -52,6 +52,6 @@ export interface MergedCaster {
   /** World-space boxes of each `CLUSTERS_PER_GROUP` clusters that follow one another, 6 numbers each. */
   readonly groups: Float64Array;
   matrixVersion: number;
-  /** Whether the world matrix mirrors, which turns triangles the other way round. */
+  /** Whether the world matrix mirrors, which reverses the winding of triangles. */
   isMirrored: boolean;
 }

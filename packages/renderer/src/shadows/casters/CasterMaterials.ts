@@ -27,7 +27,7 @@ export function shadowSideOf({ side, shadowSide }: Material, bothSides: boolean)
 type AnyMaterial = MeshStandardMaterial & { isMeshDistanceMaterial?: boolean };
 type CasterMaterial = MeshDepthMaterial | MeshDistanceMaterial;
 
-/** Materials that write depths, or those that write distances. */
+/** Materials for one kind of output: depths or distances. */
 interface CasterMaterialSet {
   /** Materials shared by all casters that need the same program, see `sharedFor`. */
   readonly shared: CasterMaterial[];
@@ -40,9 +40,9 @@ interface CasterMaterialSet {
 type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatchedMesh?: boolean };
 
 /**
- * The materials that casters are drawn with into a shadow map: the object's own depth material if it has one, else one
- * that takes from the caster's material what three's WebGLShadowMap takes. One program for each sort of mesh (instanced, skinned…),
- * and one more for each material that discards or displaces.
+ * The materials that casters are drawn with into a shadow map: the object's own depth material if it has one, else one that
+ * copies the same properties of the caster's material as three's WebGLShadowMap. One program for each kind of mesh (instanced,
+ * skinned…), and one more for each material that discards or displaces.
  */
 export class CasterMaterials {
   private readonly depths: CasterMaterialSet = { shared: [], unique: new Map(), worn: new Map() };
@@ -97,7 +97,7 @@ export class CasterMaterials {
     return needsOwn ? this.uniqueFor(source, set) : this.sharedFor(object as AnyMesh, set);
   }
 
-  /** True for materials that need a depth material of their own: they discard or displace. */
+  /** True for materials that need their own depth material, since they discard or displace. */
   private needsOwn(m: AnyMaterial): boolean {
     return Boolean(
       (this.webgl.localClippingEnabled && m.clipShadows && m.clippingPlanes !== null && m.clippingPlanes.length > 0) ||
@@ -108,8 +108,8 @@ export class CasterMaterials {
   }
 
   /**
-   * Shared material for the mesh's kind (instanced, skinned…). Meshes that need different programs have different
-   * materials, so that three need not look the program up at each draw.
+   * Shared material for the mesh's kind (instanced, skinned…). Meshes that need different programs have different materials, so
+   * that three does not look the program up at each draw.
    */
   private sharedFor(mesh: AnyMesh, { shared }: CasterMaterialSet): CasterMaterial {
     const program =

@@ -7,8 +7,8 @@ import { hasReadableVertices, isReadable } from '../../three/vertexData';
 const sphere = new Sphere();
 
 /**
- * The objects of one scene that cast shadows, and where any of them has changed since the last frame: spheres round the old and
- * the new places. One walk over the scene a frame; allocates only for new casters.
+ * The objects of one scene that cast shadows, and where any of them has changed since the last frame: spheres around old and new
+ * positions. Traverses the scene once a frame; allocates only for new casters.
  */
 export class ShadowCasters {
   readonly list: Caster[] = [];
@@ -20,13 +20,13 @@ export class ShadowCasters {
   changeCount = 0;
   private readonly known = new WeakMap<Object3D, Caster>();
   private previous: Caster[] = [];
-  /** Number of walks over the scene so far. */
+  /** Number of traversals of the scene so far. */
   walks = 0;
   walked: Object3D | null = null;
   private receiversCast = false;
 
   /**
-   * Walks over the scene.
+   * Traverses the scene.
    * @param camera - camera by which LODs choose their level
    * @param receiversCast - true for variance shadow maps, into which three draws objects that receive shadows too
    */
@@ -61,14 +61,14 @@ export class ShadowCasters {
 
   private meet(object: Object3D): void {
     const { geometry, material } = object as Partial<Mesh>;
-    if (!geometry || !material) return; // drawn, such an object makes three say what is wrong
+    if (!geometry || !material) return; // three reports the fault when it draws the object
     let caster = this.known.get(object);
     if (caster === undefined) {
       caster = makeCaster(object);
       this.known.set(object, caster);
     }
     const signature = casterSignature(object);
-    // an object that was not there in the last walk is new
+    // an object that the last traversal did not find is new
     let changes = caster.lastWalk !== this.walks - 1 || signature !== caster.signature || isAnimatedCaster(object);
     const was = caster.matrix;
     const { elements } = object.matrixWorld;
@@ -133,8 +133,8 @@ function makeCaster(object: Object3D): Caster {
 }
 
 /**
- * Finds the world-space sphere (m) that three culls an object by; radius Infinity where three does not cull, or where nothing
- * is known of vertices that the CPU cannot read.
+ * Finds the world-space sphere (m) that three culls an object by; radius Infinity where three does not cull, or where the CPU
+ * cannot read the vertices and no sphere is set.
  */
 export function findSphere(object: Object3D, caster: Pick<Caster, 'x' | 'y' | 'z' | 'radius'>): void {
   const mesh = object as InstancedMesh;

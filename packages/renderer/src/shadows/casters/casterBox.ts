@@ -45,7 +45,8 @@ function reachOf(material: Material | null): number {
 /**
  * Finds the box along the world's axes round an object; changes nothing of the object.
  * @param out - gets centre and half sizes (m), 6 numbers
- * @returns false for objects without a box: instances, batches, points, and what shaders bend without a declared reach
+ * @returns false for objects without a box: instances, batches, points, and objects that shaders displace without a declared
+ *   reach
  */
 export function casterBox(object: Object3D, out: Float64Array): boolean {
   const mesh = object as AnyMesh;
@@ -71,7 +72,7 @@ export function casterBox(object: Object3D, out: Float64Array): boolean {
 
 /**
  * True when a box lies wholly outside one of six planes.
- * @param planes - 6 × 4 numbers, as `viewFrustumPlanes` has them
+ * @param planes - planes from `viewFrustumPlanes`, 6 × 4 numbers
  * @param box - centre and half sizes, from index `at` on
  */
 export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
@@ -87,7 +88,7 @@ export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0
 
 /**
  * True when a box lies wholly inside six planes.
- * @param planes - 6 × 4 numbers, as `viewFrustumPlanes` has them
+ * @param planes - planes from `viewFrustumPlanes`, 6 × 4 numbers
  * @param box - centre and half sizes, from index `at` on
  */
 export function boxInsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {

@@ -5,8 +5,8 @@ const allLayers = new Layers();
 allLayers.enableAll();
 
 /**
- * Makes a proxy of a caster for three's traversal, by which three brings the caster's buffers up to date though the camera may
- * not see the caster. `isFarolProxy` marks the proxy, so that it is not drawn.
+ * Makes a proxy of a caster for three's traversal, so that three updates the caster's buffers even where the camera does not see
+ * it. `isFarolProxy` marks proxies, which are not drawn.
  */
 export function casterProxy(object: Object3D): Object3D {
   const proxy = standInOf(object, Object3D.prototype);

@@ -92,8 +92,8 @@ function mixMaterial(m: CasterMaterial, geometry: BufferGeometry): void {
 }
 
 /**
- * A hash of all but the world matrix that an object's shadow depends on: geometry, instances, and what shadow maps use of the
- * materials. Two that differ have the same hash by rare coincidence only.
+ * Hash of all that an object's shadow depends on except its world matrix: geometry, instances, and the properties of materials
+ * that shadow maps use. Different states collide only by rare coincidence.
  */
 export function casterSignature(object: Object3D): number {
   const caster = object as Caster;
@@ -121,8 +121,8 @@ export function casterSignature(object: Object3D): number {
 }
 
 /**
- * True for objects whose shadow may change though matrix and signature do not: skinned, morphed, with shaders of their own, with
- * vertices that the GPU writes.
+ * True for objects whose shadow may change while matrix and signature do not: skinned, morphed, with own shaders, or with
+ * vertices written by the GPU.
  */
 export function isAnimatedCaster(object: Object3D): boolean {
   const caster = object as Caster;

@@ -11,7 +11,7 @@ export function isInMap(caster: Caster, slot: ShadowSlot): boolean {
   return slot.reaches(x, y, z, radius) && (!hasBox || slot.reachesBox(box));
 }
 
-/** True when the drawn part of one face of a light's shadow map may show the caster. Ask only after `isInMap`. */
+/** True when the drawn part of one face of a light's shadow map may show the caster. Call only where `isInMap` returned true. */
 export function isInFace({ x, y, z, radius, hasBox, box }: Caster, face: ShadowFace): boolean {
   if (face.texels === 0) return false;
   if (radius === Infinity) return true;

@@ -25,7 +25,7 @@ export class CookieDraws {
     const { texture, isCube, isProfile } = cookie;
     uniforms.farol_cookieImage.value = texture;
     drawer.bind(atlas.target!);
-    // three keeps cube textures mirrored, all but those of render targets
+    // three mirrors cube textures, except those of render targets
     uniforms.farol_cookieFlip.value = texture.isRenderTargetTexture ? 1 : -1;
     if (isProfile) this.drawProfile(cookie);
     else this.drawLevels(cookie, isCube);

@@ -28,7 +28,7 @@ import { isDepthReversed, unmaskColour, unmaskDepth } from '../../three/state';
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
 
-/** Farol's notes on a light's `shadow.map`; kept beside the map, since a host could see a property of it. */
+/** Farol's state for a light's `shadow.map`; kept outside of the map, where a host would see it. */
 interface Watched {
   /** `shadowMap.type` for which the map was made. */
   readonly type: number;
@@ -41,8 +41,8 @@ interface Watched {
 const watched = new WeakMap<RenderTarget, Watched>();
 
 /**
- * Notes from now on when somebody reads the texture or depths of a map, such as three's ShadowMapViewer or stock three.
- * The map stays the same object, since others may hold it.
+ * Watches a map for reads of its texture or depths, by three's ShadowMapViewer, stock three or the host. The map stays the same
+ * object, since others may hold it.
  */
 function watch(map: RenderTarget, type: number): Watched {
   const state = { type, isWanted: false, isFilled: false };
@@ -106,9 +106,9 @@ function disposeMap(map: RenderTarget): void {
 }
 
 /**
- * Keeps `light.shadow.map` of spot and directional lights as three's addons expect it. Until somebody asks for its texture it is
- * one texel in which nothing casts a shadow, or what three itself has drawn; from then on a copy of the light's region of the
- * atlas. Point lights have none.
+ * Keeps `light.shadow.map` of spot and directional lights as three's addons expect it. Until its texture is read, it is one
+ * texel without shadow, or the map that three itself has drawn; from then on a copy of the light's region of the atlas. Point
+ * lights have none.
  */
 export class HostShadowMaps {
   private readonly uniforms = {
@@ -135,7 +135,7 @@ export class HostShadowMaps {
     private readonly drawer: RegionDrawer,
   ) {}
 
-  /** Bytes of the maps that it has made: colours or moments, and depths. */
+  /** Bytes of the maps made here: colours or moments, and depths. */
   get bytes(): number {
     let texels = 0;
     for (const { shadow } of this.slots) if (shadow.map !== null) texels += shadow.map.width * shadow.map.height;
@@ -155,7 +155,7 @@ export class HostShadowMaps {
     return shadow.map !== null && watched.get(shadow.map)?.isWanted === true;
   }
 
-  /** Gives a light its `shadow.map`, with a copy where that is wanted. Call inside three's `render`, once the maps are drawn. */
+  /** Gives a light its `shadow.map`, with a copy if it is read. Call inside three's `render`, once the maps are drawn. */
   render(slot: ShadowSlot, atlas: TextureAtlas, type: number): void {
     const { shadow } = slot;
     const reversed = isDepthReversed(this.webgl);
@@ -176,7 +176,7 @@ export class HostShadowMaps {
     state.isFilled = true;
   }
 
-  /** Sets `shadow.map` of a light whose map has no region any more back to null. */
+  /** Resets `shadow.map` to null for a light whose map has no region any more. */
   release(slot: ShadowSlot): void {
     const { map } = slot.shadow;
     if (!this.slots.delete(slot) || map === null || !watched.has(map)) return;

@@ -21,8 +21,8 @@ import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
 
 /**
- * Draws variance shadow maps: a map's depths into a target of their own, then their mean and deviation, blurred down and across
- * as three does, into the map's region of the atlas.
+ * Draws variance shadow maps: a map's depths into a separate target, then their mean and deviation, blurred along columns and
+ * rows as in three, into the map's region of the atlas.
  * @see Donnelly and Lauritzen 2006, Variance Shadow Maps
  */
 export class MomentDraws {

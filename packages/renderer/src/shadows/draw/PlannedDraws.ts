@@ -12,7 +12,7 @@ import { MomentDraws } from './MomentDraws';
 import { RegionDrawer } from './RegionDrawer';
 import { ShadowMapDraws } from './ShadowMapDraws';
 
-/** Shadows whose map some renderer of the page has drawn since the host asked for it. */
+/** Shadows whose map a renderer of the page has drawn. */
 const drawnShadows = new WeakSet<LightShadow>();
 
 /** The draws of a frame, as `ShadowMaps` has planned them: maps, images, copies of maps for three's addons, bounds. */
@@ -98,9 +98,8 @@ export class PlannedDraws {
 }
 
 /**
- * Whether the host has asked for a map before, so that one that is not there is drawn whatever it says of updates now. Where
- * the request was of frames that lacked this code, three has taken it back, and drawn a map of its own; of an area light it
- * has not, which knows of no request.
+ * Whether the host has requested a map before (`needsUpdate`), so that a missing map is drawn even with updates off. If this
+ * code was not loaded then, three reset the request and drew its own map. Area lights have no requests, and always count.
  */
 export const wasAskedFor = ({ shadow, light }: ShadowSlot) =>
   drawnShadows.has(shadow) || shadow.map !== null || softSizeOf(light) > 0;

@@ -12,10 +12,10 @@ import type { MicroShaderRegistry } from '../../microshaders';
 import { directDraw, type DirectDraw } from '../../three/directDraw';
 import { setViewport } from '../../three/state';
 
-const camera = new OrthographicCamera(); // passed to three's draw; where depth is reversed, three updates its projection
+const camera = new OrthographicCamera(); // camera argument of three's draw; three changes its projection for reversed depth
 const rectangle = new Vector4();
 
-/** Draws full-screen passes to parts of targets, inside three's `render` but outside of Farol's frame. */
+/** Draws full-screen passes to parts of targets, inside three's `render` but without a `Frame`. */
 export class RegionDrawer implements MeshDrawer {
   readonly uniforms = {};
   private readonly draw: DirectDraw;
@@ -42,7 +42,7 @@ export class RegionDrawer implements MeshDrawer {
     try {
       this.drawMesh(mesh, material);
     } finally {
-      // meshes that other renderers draw share this geometry
+      // meshes of other renderers share this geometry
       drawRange.count = count;
     }
   }

@@ -1,14 +1,14 @@
 import type { Camera, Light, Object3D, Scene, WebGLRenderer, WebGLShadowMap } from 'three';
 
 /**
- * Takes the place of three's `shadowMap.render` while a frame is drawn: Farol's maps are drawn after three's own. A render by
- * stock three inside the frame (three's `Reflector`, `Water`) turns `autoUpdate` off, since it takes the frame to have drawn
- * three's maps; Farol's frame has not, so such a render gets the host's own `autoUpdate` back.
+ * Replaces three's `shadowMap.render` while a frame is drawn: Farol's maps are drawn after three's own. Objects that render
+ * inside a frame by stock three (three's `Reflector`, `Water`) turn `autoUpdate` off, assuming that the frame has drawn three's
+ * maps. A Farol frame has not, so such a render gets the host's own `autoUpdate` back.
  */
 export class ShadowMapCalls {
   /** Scene as the frame passes it to three, see `SceneView`. */
   private scene: Object3D | null = null;
-  /** three makes another one when a lost context is restored. */
+  /** three's object, a new one after a lost context is restored. */
   private shadowMap: WebGLShadowMap;
   private threeRender: WebGLShadowMap['render'];
   private autoUpdate = true;
@@ -24,8 +24,8 @@ export class ShadowMapCalls {
   }
 
   /**
-   * @param scene - as the frame shows it to three, see `SceneView`
-   * @param fail - gets what is thrown while the frame's own maps are drawn
+   * @param scene - stand-in that the frame passes to three, see `SceneView`
+   * @param fail - called with errors thrown while the frame's maps are drawn
    */
   begin(scene: Object3D, fail: (error: unknown) => void): void {
     const { shadowMap } = this.webgl;

@@ -44,7 +44,7 @@ const isCovered = (face: ShadowFace) => face.isCovered;
 
 /** Draws casters into shadow maps as three's WebGLShadowMap would. Call inside three's `render`. */
 export class ShadowMapDraws {
-  /** Proxies of the casters that the frame draws, for three to bring their buffers up to date. */
+  /** Proxies of the casters that the frame draws, by which three updates their buffers. */
   readonly proxies: Object3D[] = [];
   private readonly materials: CasterMaterials;
   private readonly draw: DirectDraw;
@@ -55,7 +55,7 @@ export class ShadowMapDraws {
   private readonly receivers = new VisibleReceivers();
   private hasReceivers = false;
   private casters: ShadowCasters | null = null;
-  /** Casters of the frame that are not merged, and drawn one by one. */
+  /** Casters of the frame that are not merged, but drawn one by one. */
   private readonly loose: Caster[] = [];
   private camera: Camera | null = null;
   private bothSides = false;
@@ -84,7 +84,7 @@ export class ShadowMapDraws {
     this.hasMerged = this.hasReceivers = false;
   }
 
-  /** Finds the casters that each face of a light's map will draw, and lets three upload their buffers. */
+  /** Finds the casters that each face of a light's map will draw, and adds proxies by which three uploads their buffers. */
   prepare(slot: ShadowSlot): void {
     const merged = this.beginMerged();
     for (const face of slot.faces) face.clear();
@@ -103,9 +103,9 @@ export class ShadowMapDraws {
   }
 
   /**
-   * Whether only the visible parts of a map need be drawn: it changes in frame after frame, or it is partial, rests, and its drawn
-   * parts still hold all that is visible. Finds the visible parts where that matters.
-   * @param mayDraw - the map may be drawn in this frame
+   * Whether only the visible parts of a map need to be drawn: the map changes every frame, or it is partial, unchanged, and its
+   * drawn parts still cover the visible ones. Finds the visible parts if needed.
+   * @param mayDraw - whether the map may be drawn in this frame
    */
   isPart(slot: ShadowSlot, mayDraw: boolean, frame: number): boolean {
     const { map, placement } = slot;
@@ -116,12 +116,12 @@ export class ShadowMapDraws {
       const goesOn = map.isThere && since === frame - 1;
       return goesOn && slot.shadow.autoUpdate && this.findParts(slot);
     }
-    // a partly drawn map that rests is completed after some frames, a few maps a frame
+    // a partial map is completed after some frames without change; `record` spreads maps over frames
     if (!map.isPartial || (mayDraw && frame - since > REST + (slot.record & 7))) return false;
     return this.findParts(slot) && slot.faces.every(isCovered);
   }
 
-  /** Finds the visible part of each face of a map. @returns false where that is all of the map */
+  /** Finds the visible part of each face of a map. @returns false if that is the whole map */
   private findParts(slot: ShadowSlot): boolean {
     if (!this.hasReceivers) {
       this.hasReceivers = true;
@@ -171,7 +171,7 @@ export class ShadowMapDraws {
     this.merged.clear();
   }
 
-  /** The merged casters of a scene; null where depth is logarithmic, which three's own materials write. */
+  /** The merged casters of a scene; null where depth is logarithmic, which only three's own materials write. */
   private mergedOf(casters: ShadowCasters): MergedCasters | null {
     if (this.webgl.capabilities.logarithmicDepthBuffer) return null;
     let merged = this.merged.get(casters);

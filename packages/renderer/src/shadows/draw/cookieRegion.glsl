@@ -1,13 +1,13 @@
-// Copies a level of an image that a light throws into its region of the atlas, and round it a border by the image's own
-// wrapping; of a cube (FAROL_IMAGE_KIND 1) six faces, three by two, with borders; of a photometric profile (2) from 0
-// to 180° and from 0 to 360°, both ends in the middle of texels.
-// Farol; the faces lie as farol_cubeFace in lightShadow.glsl has them
+// Copies a mipmap level of an image that a light projects into its region of the atlas, with a border by the image's
+// wrapping; FAROL_IMAGE_KIND 1: six faces of a cube, three by two, each with a border; 2: a photometric profile, 0 to
+// 180° by 0 to 360°, first and last at texel centres. Farol; faces in the order and orientation of farol_cubeFace in
+// lightShadow.glsl
 #if FAROL_IMAGE_KIND == 1
 uniform highp samplerCube farol_cookieImage;
 #else
 uniform highp sampler2D farol_cookieImage;
 #endif
-// texels; xy: corner, border left out; zw: size, of a cube's face
+// region (texels), without border; xy: corner; zw: size (cube: of one face)
 uniform highp vec4 farol_cookieRegion;
 uniform highp float farol_cookieFlip; // 1, or -1 to mirror the image in x
 uniform highp float farol_cookieLevel; // mipmap level of the image

@@ -1,8 +1,8 @@
-// Copies a light's region of the shadow atlas into `shadow.map`: depths, and colours as of three's MeshDepthMaterial.
-// three.js r187, WebGLShadowMap and ShaderLib.depth
+// Copies a light's region of the shadow atlas into `shadow.map`: depths, and colours as three's MeshDepthMaterial
+// writes them. three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_hostMapAtlas;
-uniform highp vec4 farol_hostMapRegion; // xy: corner (texels); zw: texels of the region for one of the map
-uniform bool farol_hasMoments; // the atlas holds mean and deviation of depths, which are copied as they are
+uniform highp vec4 farol_hostMapRegion; // xy: corner (texels); zw: size of the region over the map's size
+uniform bool farol_hasMoments; // whether the atlas holds mean and deviation of depths, which are copied unchanged
 uniform highp float farol_hostMapFar; // depth in the host's map where there is no caster
 layout(location = 0) out highp vec4 farol_hostMap;
 //# main

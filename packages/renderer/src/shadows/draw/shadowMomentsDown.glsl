@@ -1,5 +1,5 @@
-// Mean and standard deviation of a shadow map's depths, blurred along its columns. Summed term by term, as in three.js:
-// the variance is a small difference of large sums, and other roundings show.
+// Mean and standard deviation of a shadow map's depths, blurred along its columns. Summed in three.js's order: the
+// variance is a small difference of large sums, so other rounding would be visible.
 // three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
 uniform highp sampler2D farol_momentSource;
 uniform highp vec4 farol_momentRegion; // texels; xy: corner of the region that is drawn; zw: size of the map

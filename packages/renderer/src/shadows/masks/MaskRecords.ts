@@ -15,7 +15,7 @@ import { shadowLookupOf, writeLayerMask, writeMask } from './maskRecord';
 /** Assigns mask records: per-light data of shadow map, cookie and layers in the light table. */
 export class MaskRecords {
   records = 0;
-  /** Mask record of each light that has neither shadow map nor cookie, but does not reach all layers. */
+  /** Mask record of each light without shadow map or cookie that does not reach all layers. */
   private readonly layered = new Map<Light, number>();
 
   constructor(
@@ -33,7 +33,7 @@ export class MaskRecords {
     if (this.layered.size > 0) this.layered.clear();
   }
 
-  /** Adds a light that has no shadow map or cookie, but does not reach all layers. */
+  /** Adds a light without shadow map or cookie that does not reach all layers. */
   addLayered(light: Light): void {
     if (this.layers.separates(light)) this.layered.set(light, -1);
   }
@@ -51,9 +51,7 @@ export class MaskRecords {
     this.shaders.need(maskFeaturesOf(slot, type));
   }
 
-  /**
-   * Gives lights that are only limited to layers their mask records, after all others, and adapts shaders to all masks.
-   */
+  /** Gives the lights of `addLayered` their mask records, after all others, and adapts shaders to all masks. */
   end(): void {
     for (const light of this.layered.keys()) {
       this.shaders.need(maskFeatures.unshadowed | maskLoopOf(light));

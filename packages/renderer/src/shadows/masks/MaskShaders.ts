@@ -23,7 +23,7 @@ export class MaskShaders {
     this.originalChunk = microshaders.get('lightMask')!;
   }
 
-  /** Notes what a light of the frame needs. @param features - bits of `maskFeatures` */
+  /** Adds features that a light of the frame needs. @param features - bits of `maskFeatures` */
   need(features: number): void {
     this.neededFeatures |= features;
   }
@@ -46,7 +46,7 @@ export class MaskShaders {
     this.microshaders.swap(name, parseMicroShader(name, text));
   }
 
-  /** Removes all code for masks from shaders; there are no maps any more. */
+  /** Removes all code for masks from shaders, when the maps are disposed. */
   dispose(): void {
     if (this.level > 0) this.microshaders.swap('lightMask', this.originalChunk);
     this.level = 0;

@@ -1,6 +1,6 @@
-// Samples the images that lights throw: the textures of the first few spot lights themselves, copies of the others, and
-// of the cubes of point lights, in the atlas of colours, as GPUs sample textures.
-// OpenGL ES 3.0, 3.8.9 and 3.8.10 (levels); EXT_texture_filter_anisotropic (samples along the longer side of a pixel)
+// Samples the images that lights project, with filtering as by a GPU: the first few spot lights' textures directly;
+// other textures, and point lights' cubes, from copies in the atlas of colours. OpenGL ES 3.0, 3.8.9 and 3.8.10
+// (levels); EXT_texture_filter_anisotropic (samples along the longer side of a pixel)
 #include "imageSamplers"
 #include "maskFeatures"
 #include "maskRecord"
@@ -8,8 +8,8 @@
 uniform highp sampler2D farol_lightAtlas; // cookies: linear colours; VSM: mean and standard deviation of depths
 uniform highp vec2 farol_atlasTexel; // 1 / side (texels): x of the shadow atlas, y of the colour atlas
 
-// normal (view space) of the surface's plane in this pixel; 0: not known. By derivatives before the loop over lights,
-// where they are undefined, or by the first light's farol_planeNormal
+// normal (view space) of the surface's plane in this pixel; 0: unknown. Set by derivatives before the light loop
+// (within it they are undefined), or by the first light's farol_planeNormal
 vec3 farol_planeVS = vec3(0.0);
 #ifdef FAROL_LIGHT_COOKIES
 #define FAROL_SET_PLANE(positionVS) farol_planeVS = cross(dFdx(positionVS), dFdy(positionVS));
@@ -17,7 +17,7 @@ vec3 farol_planeVS = vec3(0.0);
 // Copy of an image, or a face of the copy of a cube.
 struct FarolImage {
   vec4 region; // region of the cookie in the atlas, by farol_maskCookie
-  ivec2 faces; // number of faces across and up: 1 and 1, of a cube 3 and 2
+  ivec2 faces; // number of faces across and up: (1, 1), for a cube (3, 2)
   ivec2 face; // column and row of the face in the copy of a cube
 };
 
@@ -49,8 +49,8 @@ vec3 farol_imageAt(const in FarolImage image, const in vec2 uv, const in float l
   return mix(color, farol_imageLevel(image, uv, lower + 1, nearest), between - float(lower));
 }
 
-// Places in a light's map (0..1) of three pixels of a quad, of which GPUs take one level for all four: the first, that
-// beside it, that above it. Of the plane of a surface, since derivatives mean nothing in a loop over lights.
+// Coordinates in a light's map (0..1) of three pixels of a 2 × 2 quad, for one mipmap level for all four, as GPUs
+// choose it. Computed from the surface's plane, since derivatives are undefined in a loop over lights.
 struct FarolQuad {
   vec2 first;
   vec2 beside;
@@ -71,13 +71,14 @@ vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 
   return moved.xy / moved.w;
 }
 
-// how far (m) a depth lies from the line through the depths of the next pixel and of the one after it
+// distance (m) of a depth from the line through the depths of the next two pixels
 float farol_bendAt(const in float z, const in float next, const in float second, const in bool isPerspective) {
   return abs(z - (isPerspective ? next * second / (2.0 * second - next) : 2.0 * next - second));
 }
 
-// G-buffer: change of position to the next pixel, on the side where two pixels lie in line with the surface's: its own
-// triangle's. By the neighbour nearer in depth if they do so on neither side; bend is then above the limit (both m)
+// change of position to the next pixel of the G-buffer, on the side where the next two pixels lie on one line with
+// this one (the same triangle); if neither side does, towards the neighbour nearer in depth, and bend exceeds limit
+// (both m)
 vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS, const in bool isPerspective,
   const in float limit, inout float bend) {
   ivec2 last = ivec2(farol_readSize) - 1;
@@ -95,8 +96,8 @@ vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS, const in 
   return isFirst || (!isLast && isNext) ? next - positionVS : positionVS - before;
 }
 
-// normal of the plane in which a surface lies in its pixel; of a G-buffer's surface: by the pixels beside it. Triangles
-// of a pixel or two have no such pixels: there by the surface's normal, unless it is bent by more than 10 degrees
+// normal of the surface's plane in its pixel; for a G-buffer, from neighbouring pixels. Triangles of a pixel or two
+// have no neighbours of their own: there the surface's normal, unless they differ by more than 10 degrees
 vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS, const in vec2 pixelSpan) {
   if (farol_readSize.x > 0.0 && farol_planeVS == vec3(0.0)) {
     bool isPerspective = pixelSpan.x > 0.0;
@@ -161,8 +162,8 @@ vec3 farol_imageOn(const in int record, const in FarolImage image, const in mat4
   return sum / float(samples);
 }
 
-// Colour of a light's image at a surface; white beside the image. The image of a cube is the face that is met.
-// coord: place in the light's map (homogeneous, 0..1), or of a cube from the light to the surface (world axes)
+// Colour of a light's image at a surface; white outside of the image. For a cube, samples the face in that direction.
+// coord: coordinates in the light's map (homogeneous, 0..1); for a cube, from the light to the surface (world axes)
 // axes: from view space to world axes
 vec3 farol_cookieAt(const in int record, const in vec4 coord, const in bool isCube, const in mat3 axes,
   const in vec3 positionVS, const in vec3 normalVS) {
@@ -172,7 +173,7 @@ vec3 farol_cookieAt(const in int record, const in vec4 coord, const in bool isCu
   if (isCube) {
     vec3 size = abs(coord.xyz);
     vec3 side = vec3(coord.x < 0.0 ? -1.0 : 1.0, coord.y < 0.0 ? -1.0 : 1.0, coord.z < 0.0 ? -1.0 : 1.0);
-    // axes of the face, as farol_cubeFace in lightShadow has them: right, up, away
+    // axes of the face in farol_cubeFace (lightShadow): right, up, away
     mat3 face = mat3(-side.z, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, side.z);
     float index = 4.5 - 0.5 * side.z;
     if (size.x >= size.y && size.x >= size.z) {

@@ -1,4 +1,4 @@
-// lightMaskOn for lights that light only objects of their layers; replaces it once a light has layers.
+// Replaces lightMaskOn once a light reaches only objects of its layers.
 // Farol
 #define FAROL_LAYERS
 #ifdef FAROL_PER_VERTEX

@@ -10,11 +10,11 @@
 uniform highp mat3 farol_worldAxes; // rotation from view space to world space
 uniform highp sampler2DShadow farol_shadowAtlas;
 
-// the five sample offsets of three's PCF disk, before the disk is turned
+// the five sample offsets of three's PCF disk, before its rotation
 const vec2 FAROL_DISK[5] = vec2[5](vec2(0.31622777, 0.0), vec2(-0.40387357, 0.36998127), vec2(0.06181932, -0.70439930),
   vec2(0.50905647, 0.66397403), vec2(-0.93418124, -0.16524351));
 
-// place at which a direction meets a cube map: x and y in the face (0..1), index of the face (+x -x +y -y +z -z)
+// coordinates of a direction in a cube map: x and y in the face (0..1), index of the face (+x -x +y -y +z -z)
 vec3 farol_cubeFace(const in vec3 direction) {
   vec3 size = abs(direction);
   vec3 side = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0, direction.z < 0.0 ? -1.0 : 1.0);
@@ -36,7 +36,7 @@ float farol_shadowTap(const in vec2 texel, const in float depth) {
   return textureLod(farol_shadowAtlas, vec3(texel * farol_atlasTexel.x, depth), 0.0);
 }
 
-// cosine and sine of the angle that the disk is turned by in a pixel
+// cosine and sine of the disk's rotation in this pixel
 vec2 farol_diskTurn() {
 #ifdef FAROL_PER_VERTEX
   return vec2(1.0, 0.0);
@@ -47,18 +47,18 @@ vec2 farol_diskTurn() {
 }
 
 #ifdef FAROL_ONE_TURN
-vec2 farol_turn; // rotation of the disk of samples: farol_diskTurn(), found once a pixel
+vec2 farol_turn; // farol_diskTurn(), computed once a pixel
 #define FAROL_TURN farol_turn
 #else
 #define FAROL_TURN farol_diskTurn()
 #endif
 
-// The samples of a disk: places in the atlas (0..1) and the depths compared there.
+// Samples of a disk: coordinates in the atlas (0..1) and the depths compared there.
 struct FarolDisk {
   vec3 middle;
   vec3 alongX; // change along the disk's axes: place in the atlas (0 to 1) and depth
   vec3 alongY;
-  vec4 bounds; // samples are clamped to these least and most x and y (place in the atlas)
+  vec4 bounds; // least x, y and greatest x, y (0..1 in the atlas) that samples are clamped to
 };
 
 // without branches, so that other lighting is computed while samples are fetched
@@ -84,8 +84,8 @@ FarolDisk farol_mapDisk(const in vec4 region, const in vec3 coord, const in vec2
     vec4(region.xy + 0.5, region.xy + region.zw - 0.5) * texel);
 }
 
-// region of the first cascade that holds a place, else of the whole shadow camera's map; moves coord into it; two
-// regions a row
+// region of the first cascade that contains coord, else of the whole shadow camera's map; transforms coord into it;
+// two regions a row
 vec4 farol_cascadeRegion(const in int record, const in vec4 region, inout vec3 coord, const in int cascades) {
   int map = cascades;
 #ifdef FAROL_SHADOW_CASCADES
@@ -101,8 +101,8 @@ vec4 farol_cascadeRegion(const in int record, const in vec4 region, inout vec3 c
   return vec4(region.xy + vec2(map & 1, map >> 1) * region.zw, region.zw);
 }
 
-// 1 in the light, 0 in full shadow: an upper bound by mean and deviation of the depths, with light bleeding cut off
-// away: 1 where depth grows with distance, -1 where it is reversed
+// 1 in the light, 0 in full shadow: an upper bound from mean and deviation of the depths, with light bleeding cut
+// off; away: 1 where depth grows with distance, -1 where it is reversed
 float farol_varianceShadow(const in vec4 region, const in vec3 coord, const in float away) {
   vec2 texel = clamp(region.xy + coord.xy * region.zw, region.xy + 0.5, region.xy + region.zw - 0.5);
   vec2 moments = textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rg;
@@ -112,16 +112,15 @@ float farol_varianceShadow(const in vec4 region, const in vec3 coord, const in f
   return clamp((variance / (variance + beyond * beyond) - 0.3) / 0.65, 0.0, 1.0);
 }
 
-// Three's disk at right angles to the direction, in the plane of the face that it meets, to first order. With (p, q)
-// where the direction meets the face (-1..1), l² = 1 + p² + q² and the disk's tangent t and bitangent b as three has
-// them, the plane is met at (p, q) + l (t.xy - (p, q) t.z) and likewise for b. What lies beyond the face is in its
-// border.
-// depths: a and b of the depth a + b / distance along the face's axis; reach: radius of the filter, as part of a face
+// Three's disk at right angles to the direction, projected to the plane of the cube's face, to first order. With (p,
+// q) where the direction hits the face (-1..1), l² = 1 + p² + q² and three's tangent t and bitangent b of the disk, t
+// projects to (p, q) + l (t.xy - (p, q) t.z), and b likewise. Samples beyond the face are in its border. depths: a
+// and b of the depth a + b / distance along the face's axis; reach: radius of the filter, as part of a face
 FarolDisk farol_cubeDisk(const in vec3 region, const in float border, const in vec3 fromLight, const in vec2 depths,
   const in float reach) {
   vec3 size = abs(fromLight);
   vec3 side = vec3(fromLight.x < 0.0 ? -1.0 : 1.0, fromLight.y < 0.0 ? -1.0 : 1.0, fromLight.z < 0.0 ? -1.0 : 1.0);
-  bool byX = size.x > size.z; // three's tangent is then at right angles to y, else to x
+  bool byX = size.x > size.z; // whether three's tangent is at right angles to y, else to x
   bool isX = size.x >= size.y && size.x >= size.z;
   bool isY = size.y >= size.z && !isX;
   float face = isX ? 0.5 - 0.5 * side.x : isY ? 2.5 - 0.5 * side.y : 4.5 - 0.5 * side.z;
@@ -155,7 +154,7 @@ FarolDisk farol_cubeDisk(const in vec3 region, const in float border, const in v
 
 // Values of a mask that every pixel reads, see maskLayout.ts.
 struct FarolMask {
-  int lookup; // way to sample the shadow map: FAROL_LOOKUP_…
+  int lookup; // sampling of the shadow map, a FAROL_LOOKUP_…
   int cookie; // kind of cookie: FAROL_COOKIE_…
 #ifdef FAROL_LIGHT_PROFILES
   bool hasProfile;
@@ -199,19 +198,20 @@ bool farol_isCube(const in FarolMask mask, const in bool isPoint) {
 #endif
 }
 
-// place of a surface in a map (homogeneous, 0..1), or the vector from a point light to the surface (m, world axes)
-// toLight: from the surface to the light (view space, m)
+// coordinates of a surface in a map (homogeneous, 0..1), or the vector from a point light to the surface (m, world
+// axes) toLight: from the surface to the light (view space, m)
 vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool isPoint, const in vec3 toLight,
   const in vec3 positionVS, const in vec3 shadowNormalVS) {
   vec3 shift = shadowNormalVS * mask.normalBias;
-  // isPoint is false for lights that have left their maps, so that the others need not wait for the mask here
+  // isPoint is false for lights that have moved from where their maps were drawn; other point lights need not read
+  // the mask here
   if (farol_isCube(mask, isPoint))
     return vec4(farol_worldAxes * (shift - (!isPoint && mask.isExtended
       ? farol_maskPosition(record) - positionVS : toLight)), 1.0);
   return farol_maskMatrix(record) * vec4(positionVS + shift, 1.0);
 }
 
-// 1 in the light, 0 in full shadow; without branches where all lookups met so far are PCF
+// 1 in the light, 0 in full shadow; without branches if all shadow maps so far are PCF
 float farol_litAt(const in int record, const in FarolMask mask, const in bool isPoint, const in vec4 coord) {
 #ifdef FAROL_UNSHADOWED_MASKS
   if (mask.lookup == FAROL_LOOKUP_NONE) return 1.0;
@@ -267,7 +267,7 @@ const int FAROL_SEARCHES = 16; // number of directions in which blockers are sea
 const int FAROL_HALVINGS = 4; // halvings of the distance to the surface in a search for a blocker
 const int FAROL_SOFT_TAPS = 20;
 
-// 0 if the map has a blocker before a place (m, relative to the light), else 1
+// 0 if the map has a blocker between the light and a place (m, relative to the light), else 1
 float farol_softTap(const in FarolMask mask, const in vec3 place) {
   float depth = mask.filtering.x + mask.filtering.y / max(max(abs(place.x), abs(place.y)), abs(place.z));
   return farol_shadowTap(farol_cubeTexel(mask.region, mask.border, farol_cubeFace(place), false),
@@ -280,10 +280,10 @@ vec2 farol_spiral(const in int i, const in vec2 turn) {
   return cos(angle) * turn + sin(angle) * vec2(-turn.y, turn.x);
 }
 
-// Percentage-closer soft shadows of an area light, from its centre. Depths can only be compared: how far the blocker is
-// in a direction is found by halving the distance to the surface.
+// Percentage-closer soft shadows of an area light, from its centre. The sampler only compares depths, so a blocker's
+// distance is found by bisection between light and surface.
 // Fernando 2005, Percentage-Closer Soft Shadows
-// fromLight: to the surface (m, world axes)
+// fromLight: vector to the surface (m, world axes)
 float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const in vec3 vertexNormal) {
   float away = length(fromLight);
   vec3 forward = fromLight / away;
@@ -291,7 +291,7 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
   vec3 right = normalize(cross(forward, abs(forward.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
   vec3 up = cross(right, forward);
   float facing = min(dot(normal, forward), -0.05);
-  float size = mask.filtering.z / away; // size of the light over its distance, as seen from the surface
+  float size = mask.filtering.z / away; // size of the light over its distance from the surface
   vec2 turn = FAROL_TURN;
   float blockers = 0.0;
   float distances = 0.0; // distance of blockers, as parts of the distance to the surface
@@ -325,7 +325,7 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
 }
 #endif
 
-// share of a light that its map lets through, by the filter of its mask
+// share of a light that its shadow map lets through, by the mask's filter
 float farol_filteredAt(const in int record, const in FarolMask mask, const in bool isPoint, const in vec4 coord,
   const in vec3 shadowNormalVS) {
 #ifdef FAROL_SOFT_SHADOWS
@@ -334,7 +334,7 @@ float farol_filteredAt(const in int record, const in FarolMask mask, const in bo
   return farol_litAt(record, mask, isPoint, coord);
 }
 
-// share of a light that its map lets through; reads the mask by its record
+// share of a light that its shadow map lets through; reads the mask by its record
 float farol_lightLit(const in int record, const in vec3 positionVS, const in vec3 shadowNormalVS) {
   FarolMask mask = farol_readMask(record);
   vec3 toLight = farol_maskPosition(record) - positionVS;
@@ -351,7 +351,7 @@ float farol_profileAt(const in int record, const in vec3 toLight) {
   vec2 level = -vec2(dot(toLight, across), dot(toLight, cross(across, down)));
   float vertical = atan(length(level), -dot(toLight, down)) * 0.3183098862;
   float horizontal = level == vec2(0.0) ? 0.0 : fract(atan(level.y, level.x) * 0.1591549431);
-  // interpolated here: GPUs filter textures by weights of 8 bits, an error of up to 2e-3 of the step between two texels
+  // interpolated here: GPUs filter with weights of 8 bits, off by up to 2e-3 of the step between two texels
   vec2 place = vec2(vertical, horizontal) * (region.zw - 1.0);
   vec2 low = clamp(floor(place), vec2(0.0), max(region.zw - 2.0, 0.0));
   vec2 part = place - low;
@@ -365,8 +365,8 @@ float farol_profileAt(const in int record, const in vec3 toLight) {
 }
 #endif
 
-// colour that a mask lets through of a light
-// isPoint: the light is known to be a point light; receives: false where shadows do not count, only the cookie
+// colour of a light that its mask lets through isPoint: the light is known to be a point light; receives: whether
+// shadows apply; else only the cookie
 vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS,
   const in vec3 shadowNormalVS, const in bool receives) {
   FarolMask mask = farol_readMask(record);

@@ -1,5 +1,5 @@
-// Kinds of shadow maps, cookies, profiles and lights that shaders have code for: all here; scenes whose lights have
-// masks replace it by those met so far.
+// Kinds of shadow maps, cookies, profiles and lights that shaders have code for: here all of them; once a scene has
+// masks, replaced by the kinds used so far.
 // Farol
 #define FAROL_SHADOW_MAPS
 #define FAROL_SHADOW_CUBES

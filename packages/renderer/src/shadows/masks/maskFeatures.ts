@@ -4,8 +4,8 @@ import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
 /**
- * Features of shadows and cookies that shaders can have code for, as bits. `defines` has their macros in
- * maskFeatures.glsl; `basic`, `pcf` and `variance` are bits of FAROL_SHADOW_LOOKUPS; `images` asks for samplers.
+ * Features of shadows and cookies that shaders can have code for, as bits. `defines` has their macros in maskFeatures.glsl;
+ * `basic`, `pcf` and `variance` are bits of FAROL_SHADOW_LOOKUPS; `images` needs samplers.
  */
 export const maskFeatures = {
   maps: 1,
@@ -55,7 +55,7 @@ export function maskFeaturesOf(
   { hasShadow, isCube, cascades, cookie, profile, light, hasLeftMap }: ShadowSlot,
   type: number,
 ): number {
-  // the shaders of area lights call for masks themselves
+  // the shaders of area lights sample masks themselves, not in the loops of `maskLoopOf`
   if (softSizeOf(light) > 0) return maskFeatures.cubes | maskFeatures.soft | (hasShadow ? 0 : maskFeatures.unshadowed);
   let features = maskLoopOf(light);
   // a point light that moved since its map was drawn needs the code of other lights
@@ -73,9 +73,9 @@ export function maskFeaturesOf(
   return features | (type === BasicShadowMap ? maskFeatures.basic : maskFeatures.pcf);
 }
 
-/** Text of the chunk `maskFeatures` for the given features; other features' code would slow shaders down. */
+/** Text of the chunk `maskFeatures` for the given features only, since code of others would slow shaders down. */
 export function maskFeaturesChunk(features: number): string {
-  const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
+  const lines = ['// Shadow maps, cookies and profiles that shaders have code for: those used so far.', '// Farol'];
   const { basic, pcf, variance } = maskFeatures;
   lines.push(`#define FAROL_SHADOW_LOOKUPS ${(features & (basic | pcf | variance)) / basic}`);
   for (const [name, define] of Object.entries(defines)) {

@@ -14,9 +14,9 @@ export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
 export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } as const;
 
 /**
- * A mask in the light table: what a shadow map, a cookie, a profile and layers let through of a light. Its texels lie in three records.
- * Offsets for TypeScript (`MASK`) and getters for GLSL (microshader `maskRecord`) are made from this table. A pixel reads
- * `place`, `filtering` and what of the matrix it needs of every light that reaches it, the others seldom.
+ * A mask in the light table: limits a light by its shadow map, cookie, profile and layers. Its texels lie in three records.
+ * Offsets for TypeScript (`MASK`) and getters for GLSL (microshader `maskRecord`) are made from this table. For every light that
+ * reaches it, a pixel reads `place`, `filtering` and the columns of the matrix that it needs; other texels rarely.
  */
 export const maskRecord = {
   /** Columns of the matrix from view space to the map (0 to 1, depth 0 to 1); for a cube only `position`. */
@@ -36,17 +36,17 @@ export const maskRecord = {
     lookup: ['int', `int(t.z) >> ${PLACE_BITS.lookup} & 7`],
     /** Kind of the light's cookie, one of `cookieShapes`. */
     cookieShape: ['int', `int(t.z) >> ${PLACE_BITS.cookie} & 3`],
-    /** Whether `extent` counts; for a cube, whether `position` counts, since the light has left its map. */
+    /** Whether `extent` is used; for a cube, whether `position` is, since the light has moved since its map was drawn. */
     isExtended: ['bool', `(int(t.z) & ${1 << PLACE_BITS.extended}) != 0`],
     /** Width of the border round a cube's face (texels). */
     border: ['int', `1 << (int(t.z) >> ${PLACE_BITS.border})`],
-    /** Offset along the surface's normal at which the map is looked up (m). */
+    /** Offset along the surface's normal at which the map is sampled (m). */
     normalBias: 'w',
   },
   /**
-   * For a map: bias, with the sign of the depth buffer; radius of the filter, as part of the width, of the height; of a variance
-   * shadow map 1 where depth grows with distance, -1 where it is reversed. Of a cube: a and b of depth = a + b / distance along
-   * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
+   * For a map: x bias, signed as the depth buffer; yz filter radius as share of width and height; for a variance shadow map x is
+   * 1 where depth grows with distance, -1 where it is reversed. For a cube: xy a and b of depth = a + b / distance along an
+   * axis; z filter radius as share of a face, or half an area light's size (m, `soft`). w: the shadow's intensity.
    */
   filtering: { intensity: 'w' },
   /** Size of the shadow map, unless it is a cube; sampling of the light's cookie. */
@@ -55,7 +55,7 @@ export const maskRecord = {
     heightAndCascades: 'xy',
     /** Whether `ShadowBounds` has depth bounds for the map. */
     hasBounds: ['bool', 't.z != 0.0'],
-    /** Sampling of the cookie's copy, see `imageFilter`; below 0 the texture itself is sampled: -1 - its sampler. */
+    /** Sampling of the cookie's copy, see `imageFilter`; below 0: the texture itself, by sampler -1 - this. */
     cookieFilter: ['int', 'int(t.w)'],
   },
   /** Region of the photometric profile in the atlas: corner, size (texels). */
@@ -69,8 +69,8 @@ export const maskRecord = {
     /** Layers whose objects the light reaches: low 16 bits, high 16 bits; 0 for all. */
     layers: 'xy',
     /**
-     * Step from a pixel to the next, across and up: change of the view ray at distance 1; negative: of an orthographic
-     * ray (m).
+     * Change of the view ray from a pixel to the next, across and up, at distance 1; negative: of an orthographic ray's origin
+     * (m).
      */
     pixelSpan: 'zw',
   },

@@ -37,7 +37,7 @@ export function writeMask(
     position.setFromMatrixPosition(slot.matrix).negate().applyMatrix4(camera.matrixWorldInverse);
     table.set4(at + MASK.columnX, position.x, position.y, position.z, 1);
   } else {
-    // the camera's world matrix would be wrong: three leaves that matrix's scale out of the view
+    // not `camera.matrixWorld`: three leaves its scale out of the view matrix
     const e = matrix.copy(camera.matrixWorldInverse).invert().premultiply(slot.matrix).elements;
     for (let i = 0; i < 16; i += 4) table.set4(at + MASK.columnX + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
   }
@@ -84,7 +84,7 @@ export function writeMask(
 
 /**
  * Writes a light's photometric profile into its mask record, if the profile is in the atlas.
- * @param shape - kind of the cookie beside it, of `cookieShapes`
+ * @param shape - kind of the light's cookie, one of `cookieShapes`
  * @returns whether the profile was written
  */
 function writeProfile(table: DataTable, at: number, slot: ShadowSlot, shape: number, camera: Camera): boolean {
@@ -109,7 +109,7 @@ export function shadowLookupOf({ hasShadow, isCube, light }: ShadowSlot, type: n
   return isCube ? shadowLookups.cubePcf : shadowLookups.pcf;
 }
 
-/** Writes the mask record of a light that has neither shadow nor cookie, but does not reach all layers. */
+/** Writes the mask record of a light without shadow or cookie that does not reach all layers. */
 export function writeLayerMask(table: DataTable, record: number, layers: number): void {
   const at = record * FLOATS_PER_RECORD;
   table.set4(at + MASK.place, 0, 0, packPlace(0, shadowLookups.none, cookieShapes.none, false, 1), 0);

@@ -15,7 +15,7 @@ export function profileFrame(light: PointLight | SpotLight, across: Vector3, dow
   } else down.setFromMatrixColumn(matrixWorld, 1).negate();
   if (down.lengthSq() === 0) down.set(0, -1, 0);
   down.normalize();
-  // a direction along x has horizontal angle 0 along z
+  // where the direction lies along x, horizontal angle 0 lies along z
   for (let column = 0; column <= 2; column += 2) {
     across.setFromMatrixColumn(matrixWorld, column).normalize().addScaledVector(down, -across.dot(down));
     if (across.lengthSq() > 1e-6) break;

@@ -1,4 +1,4 @@
-// Farol's part of three's getShadowMask(), for materials that show only shadows: the product of all lights' shadows.
+// Part of three's getShadowMask() in materials that show only shadows: the product of the shadows of Farol's lights.
 // three.js r187 shadowmask_pars_fragment
 #include "lightMask"
 uniform highp ivec2 farol_masks; // x: light table record of the first mask; y: number of masks

@@ -12,7 +12,7 @@ export const shadowMaskTwin: TwinKind = {
   key: 'shadow-mask',
   chunks: () => ['shadowMask'],
   patch(shader: TwinShader, _source: Material, header: string) {
-    // three's own chunk names the function, too: it is put in again once the calls are replaced
+    // three's own chunk defines the function that is renamed here, so the chunk is inserted after the calls are replaced
     shader.fragmentShader = replaceChunk(shader.fragmentShader, 'shadowmask_pars_fragment', () => MARK)
       .replace(/\bgetShadowMask\s*\(\s*\)/g, '(getShadowMask() * farol_shadowMask())')
       .replace(MARK, () => `${PARS}\n${header}`);
@@ -25,7 +25,7 @@ export const shadowMaskTwin: TwinKind = {
 
 type MaskMaterial = ShaderMaterial & { isShadowMaterial?: boolean };
 
-/** True for materials that show shadows by three's `getShadowMask()` and are not lit light by light. */
+/** True for materials that show shadows by three's `getShadowMask()` and have no light loop. */
 export function showsShadowMask(material: Material): boolean {
   const m = material as MaskMaterial;
   if (m.isShadowMaterial === true) return true;

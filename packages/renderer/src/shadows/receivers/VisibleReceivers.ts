@@ -13,14 +13,11 @@ import { cubeFaceParts, openFaces } from './cubeFaceParts';
 import { mapPart } from './mapPart';
 import { Widest } from './Widest';
 
-/**
- * Factor by which the frustum is wider than the camera's: a camera that shakes by part of a pixel then finds no new
- * receivers.
- */
+/** Factor by which the frustum is wider than the camera's, so that a slightly shaking camera finds no new receivers. */
 const WIDER = 1.01;
-/** Factor on bounding spheres: objects that shaders bend may leave theirs. */
+/** Factor on the bounding spheres of objects whose vertices shaders may move. */
 const SPHERES = 2;
-/** Numbers of a group: its box, index of the first member and index after the last; a group without members is one box. */
+/** Count of numbers in a group: its box, index of the first member and index after the last; a group without members is one box. */
 const GROUP = 8;
 
 const matrix = new Matrix4();
@@ -32,8 +29,8 @@ const reach = makeReach();
 const sphere = { x: 0, y: 0, z: 0, radius: 0 };
 
 /**
- * World-space boxes round the receivers of shadows that a camera may see. While something moves, maps are drawn only where these
- * boxes look shadows up, see `findParts`.
+ * World-space boxes round the receivers of shadows that a camera may see. While casters move, maps are drawn only where these
+ * boxes sample shadows, see `findParts`.
  * @see Bittner et al. 2011, Shadow Caster Culling for Efficient Shadow Mapping
  */
 export class VisibleReceivers {
@@ -76,8 +73,8 @@ export class VisibleReceivers {
   }
 
   /**
-   * Finds the part of each face of a light's map that receivers look up, with the border that filters read.
-   * @returns false if that is the whole map, or not known
+   * Finds the part of each face of a light's map that receivers sample, with the border that filters read.
+   * @returns false if that is the whole map, or unknown
    */
   findParts(slot: ShadowSlot): boolean {
     if (this.isUnbounded) return false;
@@ -85,7 +82,7 @@ export class VisibleReceivers {
     const { faceWidth, faceHeight, border } = slot.placement;
     const { radius } = shadow;
     const texels = Math.ceil(2 * radius) + 2;
-    // receivers look the map up this far away along their normals (m)
+    // distance along their normals at which receivers sample the map (m)
     const shift = Math.abs(slot.normalBias);
     parts.fill(-Infinity);
     open = 63;
@@ -190,7 +187,7 @@ export class VisibleReceivers {
     this.used += 6;
   }
 
-  /** Makes a group of the boxes from `first` on. @param round - box round those boxes, from index `from` on */
+  /** Makes a group of the boxes from `first` on. @param round - holds the box around those boxes, from index `from` on */
   private addGroup(first: number, round: Float64Array, from: number): void {
     if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
     copyBox(round, from, this.groups, this.groupsUsed);
@@ -199,7 +196,7 @@ export class VisibleReceivers {
     this.groupsUsed += GROUP;
   }
 
-  /** Makes a group of the groups from `first` on. @param round - box round those groups */
+  /** Makes a group of the groups from `first` on. @param round - box around those groups */
   private addToObjects(round: Float64Array, first: number): void {
     if (this.objectsUsed === this.objects.length) this.objects = grown(this.objects);
     copyBox(round, 0, this.objects, this.objectsUsed);
@@ -234,10 +231,7 @@ function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   return more;
 }
 
-/**
- * True when the visible parts of a light's map already cover a group's box, as far as the box is within range; widens
- * them if little is missing.
- */
+/** True when the visible parts of a light's map cover the part of a group's box within range; widens them if little is missing. */
 function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   const isLeaf = groups[at + 6] === groups[at + 7];
   if (isLeaf) hold(slot, groups, at);
@@ -253,7 +247,7 @@ function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   return true;
 }
 
-/** Widens the visible parts to hold a box, as far as the box is within reach. @returns whether they were widened */
+/** Widens the visible parts to hold the part of a box within reach. @returns whether they were widened */
 function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): boolean {
   let widens = false;
   if (isCube) {

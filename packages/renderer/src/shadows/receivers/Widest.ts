@@ -1,9 +1,9 @@
-/** Greatest number of receiver boxes remembered from a frame. */
+/** Maximum number of receiver boxes remembered from a frame. */
 const MOST = 48;
 
 /**
- * Indices of the boxes that widened the visible parts of a light's map in the last frame. Tried first in the next frame, they leave
- * little for the others to widen. An index that has come to mean another box costs time alone.
+ * Indices of the boxes that widened the visible parts of a light's map in the last frame. The next frame tries them first, so
+ * that other boxes rarely widen. An index that now belongs to another box only costs time.
  */
 export class Widest {
   readonly list = new Int32Array(MOST);

@@ -2,8 +2,8 @@ import { cubeFacesOf } from '../slots/cubeFacesOf';
 import type { Reach } from '../slots/reach';
 
 /**
- * Direction to the right in each face of a cube map (+x, -x, +y, -y, +z, -z), as an index in that same list; farol_cubeFace
- * in lightShadow.glsl has the same directions.
+ * Direction to the right in each face of a cube map (+x, -x, +y, -y, +z, -z), as an index into that list; as farol_cubeFace in
+ * lightShadow.glsl.
  */
 const ACROSS = new Uint8Array([4, 5, 0, 1, 1, 0]);
 const UP = new Uint8Array([2, 2, 4, 4, 2, 2]);
@@ -13,7 +13,7 @@ const UP = new Uint8Array([2, 2, 4, 4, 2, 2]);
  */
 const SLACK = 0.06;
 
-/** Added to the visible parts, so that they still cover their boxes after rounding. */
+/** Margin added to the visible parts, so that they cover their boxes after rounding. */
 const ROUNDING = 1e-12;
 
 /** Extent of a box, clipped to the range, in each of the six directions (m). */
@@ -21,10 +21,10 @@ const ends = new Float64Array(6);
 
 /**
  * Widens the visible parts of a cube map's faces so that they hold all directions from the light to a box within range.
- * @param parts - of the six faces: how far each reaches left, right, down and up, as parts of the axis, 4 numbers each;
- * -Infinity for nothing, Infinity for all
+ * @param parts - extents of the six faces' parts left, right, down and up, divided by the distance along the face's axis, 4
+ *   numbers each; -Infinity for nothing, Infinity for all
  * @param boxes - centre and half sizes (m), 6 numbers from index `at` on
- * @param reach - of the map: the light's place and range
+ * @param reach - reach of the map: the light's position and range
  * @param open - faces whose part does not cover the face yet, as bits; others are skipped
  * @param writes - false to leave the parts as they are
  * @returns 0 if the parts hold the box already, 1 if they are too small by no more than `SLACK`, else 2
@@ -65,7 +65,7 @@ export function cubeFaceParts(
     const nearest = -minimum(minimum(ends[face ^ 1], -aside), -1e-6 * farthest);
     if (nearest > farthest) continue;
     const first = face * 4;
-    // an end that does not reach the face's middle counts at the greatest distance, others at the least; both tests save a branch
+    // ends short of the face's middle are tested at the greatest distance, others at the least; testing both saves a branch
     const isWithin =
       +(left <= parts[first] * nearest) &
       +(left <= parts[first] * farthest) &
@@ -89,7 +89,7 @@ export function cubeFaceParts(
   return widens;
 }
 
-/** Faces whose part does not cover the face, as bits. */
+/** Faces that their part does not cover wholly, as bits. */
 export function openFaces(parts: Float64Array): number {
   let open = 0;
   for (let side = 0; side < 24; side++) if (parts[side] !== Infinity) open |= 1 << (side >> 2);

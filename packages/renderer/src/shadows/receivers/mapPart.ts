@@ -3,9 +3,9 @@ import type { Reach } from '../slots/reach';
 
 /**
  * Widens the visible part of a map so that it holds a box as the map's camera projects it.
- * @param part - least and most across, least and most up, -1 to 1 in the map, 4 numbers from index `to` on
+ * @param part - least and greatest x, least and greatest y, -1 to 1 in the map, 4 numbers from index `to` on
  * @param boxes - centre and half sizes (m), 6 numbers from index `at` on
- * @param reach - reach of the map, which has the widening of boxes
+ * @param reach - reach of the map, for its widening of boxes
  * @param matrix - from world to clip space
  * @param writes - false to leave the part as it is
  * @returns whether the part was too small

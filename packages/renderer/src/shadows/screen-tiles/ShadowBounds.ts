@@ -21,12 +21,12 @@ import type { TextureAtlas } from '../atlas/TextureAtlas';
 const BLOCK = 8;
 /** Number of frames without a change after which minimum and maximum depths of a shadow map are computed. */
 const REST = 2;
-/** Shadow-map texels whose depths are bounded in a frame; the map that exceeds them is the frame's last. */
+/** Number of shadow-map texels whose depths are bounded in a frame; the map that exceeds it is the frame's last. */
 const BUDGET = 12_000_000;
 
 /**
- * Smallest and largest depth of each block of 8 × 8 texels of the atlas of depths, for maps at rest. A block at the edge
- * of a map also counts texels beside the map: bounds may be wider than need be, never narrower.
+ * Smallest and largest depth of each block of 8 × 8 texels of the atlas of depths, for unchanged maps. A block at a map's edge
+ * includes texels of its neighbours, so bounds may be too wide, never too narrow.
  */
 export class ShadowBounds {
   readonly target: WebGLRenderTarget = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');
@@ -60,7 +60,7 @@ export class ShadowBounds {
     this.left = BUDGET;
   }
 
-  /** Adds a map that the frame does not draw. @param rested - frames since something changed in the map */
+  /** Adds a map that the frame does not draw. @param rested - number of frames since the map last changed */
   keep(slot: ShadowSlot, rested: number): void {
     if (slot.map.hasBounds || rested < REST || slot.cascades > 0 || this.left <= 0) return;
     const { region } = slot.placement;
@@ -92,7 +92,7 @@ export class ShadowBounds {
     this.isCompiled = false;
   }
 
-  /** Compiles the program with the first map, not in a later frame that would hitch. */
+  /** Compiles the program with the first map, so that no later frame hitches. */
   private compile(): void {
     this.isCompiled = true;
     this.drawer.bind(this.target);

@@ -19,8 +19,8 @@ const MOST_WORDS = 16;
 const LIGHTS_PER_WORD = 32;
 
 /**
- * Classification of lights by tile of the picture: those that light all surfaces in the tile, and those that light none,
- * as far as the bounds of their shadow maps tell. Pixels of the tile need not sample the maps of either.
+ * Classification of lights in each tile of the picture: those known, by the bounds of their shadow maps, to light all surfaces
+ * of the tile, and those known to light none. The tile's pixels need not sample the maps of either.
  */
 export class ShadowTiles {
   /** Number of the frame's maps that have bounds, see `ShadowBounds`. */
@@ -41,7 +41,7 @@ export class ShadowTiles {
   }
 
   /**
-   * Marks the tiles of a frame, once its G-buffer and light grid are there.
+   * Marks the tiles of a frame. Call once its G-buffer and light grid are complete.
    * @param bounds - depth bounds of the shadow maps
    */
   render(frame: Frame, gbuffer: GBuffer, bounds: WebGLRenderTarget): void {
@@ -107,7 +107,7 @@ export class ShadowTiles {
     });
   }
 
-  /** Compiles both programs with the first shadow map: once a map is at rest, compiling would make that frame hitch. */
+  /** Compiles both programs with the first shadow map, so that no later frame hitches. */
   private compile(frame: Frame, bounds: WebGLRenderTarget): void {
     this.isCompiled = true;
     this.tileUniforms.farol_shadowBounds.value = bounds.texture;

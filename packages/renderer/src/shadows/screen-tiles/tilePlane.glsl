@@ -1,14 +1,13 @@
-// How far the depths of a block of 4 × 4 pixels are from a plane through the depths of the block's tile: where a
-// surface is flat, depth is linear over the picture.
-// Farol
+// Distance of the depths of a block of 4 × 4 pixels from a plane through the depths of the block's tile: a flat
+// surface's depth is linear over the picture. Farol
 #include "unproject"
 uniform highp sampler2D farol_gDepth;
 uniform highp vec2 farol_size;
-// floats as bits: least and most distance from the plane (most below least: no surface), change of the plane a pixel
-// across, a pixel up
+// floats as bits: x, y: least and greatest distance from the plane (greatest below least: no surface); z, w: slope of
+// the plane for a pixel across and up
 layout(location = 0) out highp uvec4 farol_plane;
 
-// 1 - depth, or reversed depth: keeps digits that depths near 1 lose
+// 1 - depth, or reversed depth: more precise than depths near 1
 float farol_preciseDepth(const in float depth) {
   return farol_depthMode.x > 0.0 ? depth : 1.0 - depth;
 }

@@ -10,8 +10,8 @@ uniform highp usampler2D farol_gridMasks;
 uniform highp ivec4 farol_grid;
 uniform highp vec2 farol_size;
 uniform highp int farol_tileShadowWords;
-// for two words (32 lights each): bits of lights that light all of the tile, bits of those that light none; both
-// bits: see lightLoopClustered.glsl
+// for two words (32 lights each): bits of lights that light all of the tile, then of those that light none; both
+// bits: see farol_tileShadows
 layout(location = 0) out highp uvec4 farol_marks;
 
 const int FAROL_MOST_BLOCKS = 6; // largest side of the region of a map that a tile covers (blocks)
@@ -49,7 +49,7 @@ bool farol_findCorners(const in ivec2 tile) {
   return known;
 }
 
-// least and most of (a ± shift) / (c ± by), c - by above 0
+// least and greatest of (a ± shift) / (c ± by), c - by above 0
 vec2 farol_ratio(const in float a, const in float shift, const in float c, const in float by) {
   vec2 scale = 1.0 / vec2(c - by, c + by);
   float low = a - shift;
@@ -63,15 +63,15 @@ struct FarolComparison {
   bool isDark; // something casts a shadow on each surface of the tile
 };
 
-// low, high: corners of what the tile covers of the atlas (texels); depths: least and most of the tile's surfaces in
-// the map; inside: all of the tile lies within the map
+// low, high: corners of the atlas region that the tile covers (texels); depths: least and greatest map depth of the
+// tile's surfaces; inside: whether the whole tile lies within the map
 bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, const in bool inside,
   inout FarolComparison comparison) {
   ivec2 first = ivec2(max(low, 0.0)) >> 3;
   ivec2 last = ivec2(high) >> 3;
   if (max(last.x - first.x, last.y - first.y) >= FAROL_MOST_BLOCKS) return false;
   uvec2 bounds = uvec2(65535u, 0u);
-  // two by two blocks a step, so that fetches overlap
+  // 2 × 2 blocks a step, so that fetches overlap
   for (int y = first.y; y <= last.y; y += 2) {
     for (int x = first.x; x <= last.x; x += 2) {
       ivec2 next = min(ivec2(x, y) + 1, last);
@@ -92,8 +92,8 @@ bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, 
 }
 
 #ifdef FAROL_SHADOW_CUBES
-// compares a tile with a cube map, where one face shows all of the tile: few tiles show in two; samples lie no farther
-// beside the tile than the face's border is wide
+// compares a tile with a cube map if one face contains the whole tile, as is usual; samples outside of the face stay
+// within its border
 bool farol_compareCube(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
   vec3 centre = farol_worldAxes * farol_maskPosition(record);
   float bias = abs(mask.normalBias);
@@ -118,7 +118,7 @@ bool farol_compareCube(const in int record, const in FarolMask mask, inout Farol
   part += vec4(-shift, -shift, shift, shift);
   if (min(part.x, part.y) < -0.9999 || max(part.z, part.w) > 0.9999) return false;
   vec2 terms = mask.filtering.y / away;
-  // along the disk the depth changes with the distance along the axis
+  // change of depth across the disk, since its samples differ in distance along the axis
   float slant = 1.7320508 * abs(mask.filtering.z) * max(abs(terms.x), abs(terms.y));
   terms = mask.filtering.x + vec2(min(terms.x, terms.y), max(terms.x, terms.y));
   int row = face / 3;
@@ -131,7 +131,7 @@ bool farol_compareCube(const in int record, const in FarolMask mask, inout Farol
 #endif
 
 #ifdef FAROL_SHADOW_MAPS
-// compares a tile with a map that is no cube
+// compares a tile with a map other than a cube
 bool farol_compareMap(const in int record, const in FarolMask mask, inout FarolComparison comparison) {
   mat4 matrix = farol_maskMatrix(record);
   mat4 rows = transpose(matrix);
@@ -156,7 +156,7 @@ bool farol_compareMap(const in int record, const in FarolMask mask, inout FarolC
 }
 #endif
 
-// 1: the light's shadow leaves all of the tile lit; 2: none of it; 0: neither is known
+// 1: the light's shadow map leaves all of the tile lit; 2: none of it; 0: neither, or unknown
 int farol_tileShadow(const in int record) {
   FarolMask mask = farol_readMask(record);
   if (!farol_maskHasBounds(record) || mask.isExtended) return 0;
@@ -168,7 +168,7 @@ int farol_tileShadow(const in int record) {
 #ifdef FAROL_SHADOW_MAPS
   if (!isCube && !farol_compareMap(record, mask, comparison)) return 0;
 #endif
-  // only lights without an image, a profile or layers
+  // skips lights with an image, a profile or layers
 #ifdef FAROL_LIGHT_PROFILES
   if (comparison.isLit && mask.hasProfile) return 0;
 #endif
@@ -202,7 +202,7 @@ if (farol_findCorners(tile)) {
       vec4 details = farol_lightDetails(light);
       int shadow = dot(away, away) > range * range ? 2
         : farol_lightIsMasked(details) ? farol_tileShadow(farol_lightMaskRecord(details)) : 0;
-      // lights that light all of the tile and are point lights of three have both bits, and take a shorter path
+      // both bits mark three's point lights that light all of the tile, for a shorter path
       if (shadow == 1 && farol_lightIsMaskedPoint(details)) shadow = 3;
       uvec2 mark = (bits & (~bits + 1u)) * uvec2(shadow & 1, shadow >> 1);
       if (half2 == 0) marks.xy |= mark; else marks.zw |= mark;

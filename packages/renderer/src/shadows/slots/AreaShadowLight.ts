@@ -5,7 +5,7 @@ import type { FarolLightData } from '../../lights/lightData';
 const TEXELS = 1024;
 const LEAST_TEXELS = 16;
 const MOST_TEXELS = 8192;
-/** Default offset along the normal (m); a bias of depths would grow with the distance of a surface. */
+/** Default normal bias (m); a bias in depth would grow with a surface's distance. */
 const NORMAL_BIAS = 0.03;
 /** Near plane of the map (m). */
 const NEAR = 0.05;
@@ -15,7 +15,7 @@ const lightsOfAreas = new WeakMap<RectAreaLight, AreaShadowLight>();
 /** The point light at the centre of an area light, from which its shadow map is drawn: three's RectAreaLight has no shadow. */
 export class AreaShadowLight extends PointLight {
   readonly isAreaShadowLight = true;
-  /** Radius (m) of the area light, taken as a disc; decides how soft its shadows are. */
+  /** Radius (m) of a disc as large as the area light; sets the softness of its shadows. */
   size = 0;
 
   /** @param host - the area light */
@@ -26,8 +26,8 @@ export class AreaShadowLight extends PointLight {
   }
 
   /**
-   * Shadow light of an area light, moved to where the area light is now.
-   * @param range - beyond which the light gives nothing (m), 0 for none
+   * Shadow light of an area light, moved to the area light's position.
+   * @param range - distance beyond which the light gives nothing (m), 0 for unlimited
    */
   static follow(light: RectAreaLight, range: number): AreaShadowLight {
     let stand = lightsOfAreas.get(light);
@@ -37,7 +37,7 @@ export class AreaShadowLight extends PointLight {
     stand.layers.mask = light.layers.mask;
     stand.size = 0.5 * Math.sqrt(light.width * light.height);
     const { shadowMapSize, shadowNormalBias } = (light.userData.farol ?? {}) as FarolLightData;
-    // a map size of NaN stands for the default size
+    // a size of NaN (not set) becomes the default
     stand.shadow.mapSize.setScalar(MathUtils.clamp(Math.round(shadowMapSize!) || TEXELS, LEAST_TEXELS, MOST_TEXELS));
     stand.shadow.normalBias = shadowNormalBias! >= 0 ? shadowNormalBias! : NORMAL_BIAS;
     return stand;

@@ -10,10 +10,7 @@ const LARGEST = 1024;
 
 type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight?: number };
 
-/**
- * Cookie (texture that lights project), or a photometric profile, in the atlas of colours: one for all lights that
- * share the texture.
- */
+/** Cookie (texture that lights project) or photometric profile in the atlas of colours, shared by all lights with that texture. */
 export class CookieSlot implements AtlasTenant {
   readonly isCube: boolean;
   readonly coverage = 1;
@@ -44,10 +41,7 @@ export class CookieSlot implements AtlasTenant {
     this.isCube = (texture as CubeTexture).isCubeTexture === true;
   }
 
-  /**
-   * Compares the texture with the one that was copied: the copy is stale when the texture has changed.
-   * @param mostAnisotropy - greatest anisotropy of the device
-   */
+  /** Marks the copy as stale if the texture has changed since. @param mostAnisotropy - greatest anisotropy of the device */
   follow(mostAnisotropy: number): void {
     const { texture } = this;
     const image = (this.isCube ? (texture as CubeTexture).images[0] : texture.image) as
@@ -57,7 +51,7 @@ export class CookieSlot implements AtlasTenant {
     const width = source?.videoWidth ?? source?.width ?? 1;
     const height = source?.videoHeight ?? source?.height ?? 1;
     this.wantedWidth = Math.min(LARGEST, Math.max(1, width));
-    // after the last row of a profile the first comes again, at 360°
+    // a profile repeats its first row after the last, at 360°
     const rows = this.isProfile && height > 1 ? height + 1 : height;
     this.wantedHeight = this.isCube ? this.wantedWidth : Math.min(LARGEST, Math.max(1, rows));
     if (!this.isProfile) this.followFilter(Math.max(1, width), Math.max(1, height), mostAnisotropy);
@@ -73,7 +67,7 @@ export class CookieSlot implements AtlasTenant {
     this.filter = imageFilter(texture, this.levels, mostAnisotropy);
   }
 
-  /** Whether shaders can sample the cookie: through the texture itself, or through its copy once that has a region. */
+  /** Whether shaders can sample the cookie: from the texture itself, or from its copy once that has a region. */
   get isThere(): boolean {
     return this.sampler >= 0 || this.placement.region !== null;
   }

@@ -1,7 +1,7 @@
 import type { Texture } from 'three';
 import type { CookieSlot } from './CookieSlot';
 
-/** Texture units of a fragment shader from which on four are used for cookies of spot lights. */
+/** Number of a fragment shader's texture units from which on four are used for cookies of spot lights. */
 const MANY_UNITS = 32;
 
 /**
@@ -13,8 +13,8 @@ export function imageSamplersOf(units: number): number {
 }
 
 /**
- * Assigns samplers to textures that spot lights throw, as three does; textures without one are copied. A texture keeps
- * its sampler as long as a light throws it, so that its picture does not change with other lights.
+ * Assigns samplers to textures that spot lights project, as three does; textures without a sampler are copied. A texture keeps
+ * its sampler as long as a light projects it, so that other lights do not change its look.
  */
 export class ImageSamplers {
   /** Texture of each sampler; null while the sampler is free. */
@@ -24,10 +24,7 @@ export class ImageSamplers {
     this.textures = Array.from({ length: count }, () => null);
   }
 
-  /**
-   * Gives the cookies of the frame the samplers that are free.
-   * @param frame - number of the frame, as `CookieSlot.lastLit` has it
-   */
+  /** Gives the cookies of the frame the free samplers. @param frame - number of the frame, as in `CookieSlot.lastLit` */
   assign(images: ReadonlyMap<Texture, CookieSlot>, frame: number): void {
     const { textures } = this;
     for (let i = 0; i < textures.length; i++) {

@@ -21,7 +21,7 @@ export interface SlotRelease {
  * Data of the shadow maps, cookies and profiles of all lights: those of the frame, and those kept for a while after.
  */
 export class LightSlots {
-  /** Layers of casters, as bits, for shadows whose camera names none. */
+  /** Layers of casters, as bits, for shadows whose camera selects no layers. */
   layersSeen = 1;
   /** Lights of the frame that have a shadow map, cookie or profile. */
   readonly lit: ShadowSlot[] = [];
@@ -43,7 +43,7 @@ export class LightSlots {
 
   /**
    * @param mostAnisotropy - greatest anisotropy of the device. Default 1
-   * @param samplers - samplers for images; null: all are copied
+   * @param samplers - samplers for images; null: all images are copied
    */
   constructor(
     private readonly release: SlotRelease,
@@ -77,7 +77,7 @@ export class LightSlots {
   }
 
   /**
-   * Adds a light that casts shadows, throws an image or has a profile.
+   * Adds a light that casts shadows, projects an image or has a profile.
    * @param cascades - number of maps of a directional light, the whole one included; 1 for other lights
    */
   add(

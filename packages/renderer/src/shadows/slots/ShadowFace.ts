@@ -19,7 +19,7 @@ export class ShadowFace {
   private readonly merged: (TriangleRuns | undefined)[] = [];
   /** Transform from world to clip space, by which visible receivers are found. */
   readonly matrix = new Matrix4();
-  /** The part of the face on which receivers that the camera sees look up shadows (texels of the face). */
+  /** The part of the face that receivers in the camera's view sample (texels of the face). */
   readonly visible = { left: 0, bottom: 0, right: 0, top: 0 };
   /** The part of the face that is drawn (texels of the face). */
   readonly drawn = { left: 0, bottom: 0, right: 0, top: 0 };
@@ -36,7 +36,7 @@ export class ShadowFace {
 
   constructor(readonly camera: Camera) {}
 
-  /** Frustum planes of the face (world space, 6 × 4 numbers as `viewFrustumPlanes` has them). */
+  /** Frustum planes of the face (world space), 6 × 4 numbers from `viewFrustumPlanes`. */
   get planes(): Float64Array {
     if (!this.hasFacePlanes) this.findPlanes();
     return this.facePlanes;
@@ -54,7 +54,7 @@ export class ShadowFace {
     return this.partPlanes;
   }
 
-  /** Triangles to draw of a page of merged casters, for casters that show one side (three's `Side`). */
+  /** Triangles to draw from a page of merged casters, for casters of one side (three's `Side`). */
   runs(page: number, side: number): TriangleRuns {
     return (this.merged[page * 3 + side] ??= new TriangleRuns());
   }
@@ -104,13 +104,13 @@ export class ShadowFace {
     }
   }
 
-  /** Removes the casters, for the next frame. */
+  /** Empties the lists of casters. */
   clear(): void {
     this.casters.length = 0;
     for (const runs of this.merged) runs?.clear();
   }
 
-  /** Updates what depends on the camera's matrices. Call when they have changed. */
+  /** Recomputes planes and matrix. Call when the camera's matrices have changed. */
   update(): void {
     this.hasFacePlanes = this.hasPartPlanes = false;
   }
@@ -156,7 +156,7 @@ export function makeCubeFaces(): ShadowFace[] {
  * Turns the camera of one face of a cube map.
  * @param index - index of the face, 0 to 5
  * @param position - position of the light (world space, m)
- * @param widening - tangent of half the camera's angle: 1 shows the face alone, more its border too
+ * @param widening - tangent of half the camera's angle: 1 for the face alone, more to include its border
  */
 export function aimCubeFace(
   face: ShadowFace,

@@ -7,7 +7,7 @@ import type {
   SpotLight,
 } from 'three';
 
-/** Lights that three lets cast shadows. */
+/** Lights that cast shadows in three. */
 export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
   isPointLight?: boolean;
   isSpotLight?: boolean;

@@ -43,9 +43,9 @@ function cascadeCamera(): OrthographicCamera {
 }
 
 /**
- * Shadow map of one light: its cameras, its region of the atlas, and what the region holds. The light's own shadow
- * (camera, matrix) is never changed as three would change it while drawing: that happens on a proxy that inherits the
- * settings, and the light is then left as three would leave it.
+ * Shadow map of one light: its cameras, its region of the atlas, and what the region holds. While drawing, three changes the
+ * light's shadow (camera, matrix); Farol makes these changes on a proxy that inherits its settings, and leaves the light's own
+ * shadow in the state that three would leave.
  */
 export class ShadowSlot implements AtlasTenant {
   readonly isCube: boolean;
@@ -53,7 +53,7 @@ export class ShadowSlot implements AtlasTenant {
   readonly shadow: LightShadow;
   /** Faces of the map: one for each cascade, then one for the light's whole shadow camera; six of a cube. */
   readonly faces: ShadowFace[];
-  /** Number of cascades: maps of the space near the viewer's camera, beside that of the light's whole shadow camera. */
+  /** Number of cascades: maps of the space near the viewer's camera, besides the map of the light's whole shadow camera. */
   readonly cascades: number;
   /** Number of maps along a side of the square that the cascades form. */
   readonly side: number;
@@ -69,7 +69,7 @@ export class ShadowSlot implements AtlasTenant {
   readonly placement = new AtlasPlacement();
   /** State of the shadow map in its region of the atlas. */
   readonly map = new AtlasMap();
-  /** Halvings of the map, since pictures show no more; set by `chooseDetail` and the atlas. */
+  /** Halvings of the map whose detail pictures would not show; set by `chooseDetail` and the atlas. */
   readonly detail = new MapDetail();
 
   // fields below: set in each frame, when slots are collected
@@ -100,11 +100,11 @@ export class ShadowSlot implements AtlasTenant {
   /** Faces with a drawn part, as bits. */
   drawnFaces = 63;
 
-  /** Proxy of the light's shadow object: inherits its settings, takes three's changes. */
+  /** Proxy of the light's shadow object: inherits its settings, receives three's changes. */
   private readonly shadowProxy: PrivateLightShadow;
-  /** Proxy of the light without a range: three would take an infinite one for the camera's far plane. */
+  /** Proxy of the light without a range: three would use an infinite range as the camera's far plane. */
   private readonly endless: ShadowLight;
-  /** The light's own shadow camera, placed as three would. */
+  /** The light's own shadow camera, at the position that three would set. */
   private placedCamera: Camera | null = null;
   /** Values of `matrix`, `near` and `far` at the last `follow`, to see whether they changed. */
   private readonly previousCamera = new Float64Array(18);
@@ -122,7 +122,7 @@ export class ShadowSlot implements AtlasTenant {
     this.shadowProxy = standInOf(shadow, Object.prototype);
     this.endless = Object.defineProperty(standInOf(light, Object3D.prototype), 'distance', { value: 0 });
     const camera = shadow.camera.clone();
-    // the host may not have called this: three calls it with the first map
+    // three calls this with the first map, so the host may not have
     (camera as unknown as ShadowCamera).updateProjectionMatrix();
     this.define('camera', camera);
     this.define('matrix', this.matrix);
@@ -135,23 +135,23 @@ export class ShadowSlot implements AtlasTenant {
     for (let i = 0; i < this.cascades; i++) this.faces.splice(i, 0, new ShadowFace(cascadeCamera()));
   }
 
-  /** Width of a face that the light's settings ask for (texels). */
+  /** Width of a face in the light's settings (texels). */
   get wantedWidth(): number {
     return Math.max(1, Math.round(this.light.shadow.mapSize.x));
   }
 
-  /** Height of a face that the light's settings ask for (texels). */
+  /** Height of a face in the light's settings (texels). */
   get wantedHeight(): number {
     return Math.max(1, Math.round(this.isCube ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
   }
 
-  /** Notes the scene in which the light is lit: another scene casts other shadows. */
+  /** Stores the scene that the light is in; marks the map as stale if it is another scene. */
   enter(root: Object3D): void {
     if (this.root !== root) this.map.change();
     this.root = root;
   }
 
-  /** Notes the layers of the casters, as bits. */
+  /** Sets the layers of the casters, as bits. */
   setLayers(layers: number): void {
     if (this.layers !== layers) this.map.change();
     this.layers = layers;
@@ -191,7 +191,7 @@ export class ShadowSlot implements AtlasTenant {
   reaches(x: number, y: number, z: number, radius: number): boolean {
     if (radius === Infinity) return true;
     if (!this.isCube) return this.faces.some(({ planes }) => !sphereOutsidePlanes(planes, x, y, z, radius));
-    // beyond a range nothing is lit; without one, the corners of the cube of far planes count
+    // limited by the range; without one, by the corners of the cube of far planes
     const e = this.matrix.elements;
     const reach = radius + this.far * (this.range < Infinity ? 1 : Math.sqrt(3));
     const dx = x + e[12];
@@ -205,7 +205,7 @@ export class ShadowSlot implements AtlasTenant {
     return rangeOf((this.light as PointLight).distance) || Infinity;
   }
 
-  /** False when no part of a box (as `casterBox` gives it) is within the range of the light. */
+  /** True when some of a box (in the form of `casterBox`) is within the range of the light. */
   reachesBox(box: Float64Array): boolean {
     return !isBeyond(this.reach, box, 0);
   }
@@ -216,7 +216,7 @@ export class ShadowSlot implements AtlasTenant {
     return (faceWidth + 2 * border) / faceWidth;
   }
 
-  /** Radius of the filter (texels of a map of the size asked for); for a cube limited to the border. */
+  /** Radius of the filter (texels of a map of the wanted size); for a cube limited to the border. */
   get filterRadius(): number {
     const { radius } = this.shadow;
     if (!this.isCube) return radius;
@@ -225,8 +225,8 @@ export class ShadowSlot implements AtlasTenant {
   }
 
   /**
-   * Offset along a surface's normal at which its shadow is looked up (m). Grows in a map of reduced detail, by half the
-   * growth of a texel at the distance that `sufficientDetail` uses.
+   * Offset along a surface's normal at which its shadow is sampled (m). Grows in a map of reduced detail, by half the growth of
+   * a texel at the distance that `sufficientDetail` uses.
    */
   get normalBias(): number {
     const { detail, isCube, wantedWidth, shadow } = this;
@@ -236,7 +236,7 @@ export class ShadowSlot implements AtlasTenant {
     return shadow.normalBias + (MATTERING_RANGE * this.range * (2 ** level - 1)) / (scale * wantedWidth);
   }
 
-  /** Whether a point light has moved away from where its map was drawn, and the map is not drawn anew. */
+  /** Whether a point light has moved since its map was drawn, and the map is not redrawn. */
   get hasLeftMap(): boolean {
     const map = this.matrix.elements;
     const light = this.light.matrixWorld.elements;

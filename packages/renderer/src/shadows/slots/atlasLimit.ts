@@ -6,7 +6,7 @@ import type { ShadowSlot } from './ShadowSlot';
  * show, see docs/performance.md.
  */
 const TEXELS_PER_PIXEL = 48;
-/** Smallest number of pixels that the atlas is sized for, also when the picture is smaller. */
+/** Smallest number of pixels that the atlas is sized for, even if the picture is smaller. */
 const LEAST_PIXELS = 1280 * 720;
 /** Greatest side of an atlas of shadow maps (texels). */
 const LARGEST = 8192;
@@ -19,8 +19,8 @@ const LITE_BYTES_PER_PIXEL = 10;
 type Asking = Pick<ShadowSlot, 'range' | 'isCube' | 'side' | 'wantedWidth' | 'wantedHeight'>;
 
 /**
- * Greatest side (texels) of the atlas of shadow maps for a picture: beyond it, the maps of lights that cover least of
- * the picture are halved. The atlas has room for what lights without a range ask for on top of that.
+ * Greatest side (texels) of the atlas of shadow maps for a picture: beyond it, the maps of lights that cover least of the
+ * picture are halved. The maps of lights without a range come on top.
  */
 export function atlasLimit({ width, height }: PictureSize, slots: readonly Asking[]): number {
   let texels = TEXELS_PER_PIXEL * Math.max(LEAST_PIXELS, width * height);
@@ -33,7 +33,7 @@ export function atlasLimit({ width, height }: PictureSize, slots: readonly Askin
   return Math.min(LARGEST, Math.ceil(Math.max(Math.sqrt(texels), widest) / STEP) * STEP);
 }
 
-/** Maximum size in bytes of an atlas with the quality 'lite', whatever the lights ask for. */
+/** Maximum size in bytes of an atlas with the quality 'lite', for any number of lights. */
 export function liteAtlasBytes({ width, height }: PictureSize): number {
   return LITE_BYTES_PER_PIXEL * Math.max(LEAST_PIXELS, width * height);
 }

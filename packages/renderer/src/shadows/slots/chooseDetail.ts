@@ -4,15 +4,14 @@ import type { ShadowSlot } from './ShadowSlot';
 import { sufficientDetail } from './sufficientDetail';
 
 /**
- * Maximum number of shadow maps that a frame draws anew only because a camera needs them twice as large; maps that need
- * more do not wait.
+ * Maximum number of shadow maps redrawn in a frame only because a camera needs twice their size; maps that need more are always
+ * redrawn.
  */
 const MOST_GROWN = 4;
 
 /**
- * Chooses the level of detail of the lit lights' maps. A map that is too coarse for a camera is larger at once; one
- * that is too fine becomes smaller in time, and only when it is drawn anew anyway: nothing is drawn again and again as
- * cameras move to and fro, or take turns.
+ * Chooses the level of detail of the lit lights' maps. A map too coarse for a camera grows at once; one too fine shrinks after a
+ * while, and only when it is redrawn anyway, so that cameras that move to and fro or alternate cause no redraws.
  * @param picture - size (pixels)
  * @param isFull - whether the atlas is full: it then revises all sizes by itself from time to time
  */
@@ -23,7 +22,7 @@ export function chooseDetail(
   { autoUpdate, type }: WebGLShadowMap,
   isFull: boolean,
 ): void {
-  // variance shadow maps are blurred by texels, basic ones show each texel
+  // not for variance shadow maps, whose blur is in texels, nor basic ones, which show each texel
   const isFiltered = type !== VSMShadowMap && type !== BasicShadowMap;
   let grown = 0;
   for (const slot of slots) {

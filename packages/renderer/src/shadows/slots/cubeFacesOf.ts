@@ -15,7 +15,8 @@ export function cubeFacesOf(boxes: Float64Array, at: number, reach: Reach): numb
   const hx = boxes[at + 3] + wider;
   const hy = boxes[at + 4] + wider;
   const hz = boxes[at + 5] + wider;
-  // distance of the box along each axis, 0 where the axis passes it; no branches here and below: a processor cannot predict them
+  // distance of the box from the light on each axis, 0 where it spans the light; without branches, here and below, since they
+  // are unpredictable
   const gapX = Math.abs(x) - hx;
   const gapY = Math.abs(y) - hy;
   const gapZ = Math.abs(z) - hz;
@@ -23,7 +24,7 @@ export function cubeFacesOf(boxes: Float64Array, at: number, reach: Reach): numb
   const awayY = 0.5 * (gapY + Math.abs(gapY));
   const awayZ = 0.5 * (gapZ + Math.abs(gapZ));
   if (awayX * awayX + awayY * awayY + awayZ * awayZ > range * range) return 0;
-  // a face shows what lies no farther aside than along its axis, times the widening
+  // a face shows points whose sideways distance is at most their distance along its axis times the widening
   const right = widening * (hx + x);
   const left = widening * (hx - x);
   const top = widening * (hy + y);

@@ -8,15 +8,15 @@ const STEP = 4;
 const centre = new Vector3();
 
 /**
- * Fits the camera of a cascade round the near part of what a camera sees: a box that neither turns nor changes its size
- * with that camera, moved by whole texels, so that shadows do not crawl.
+ * Fits the camera of a cascade around the near part of a viewer's frustum: a box whose size and rotation do not follow the
+ * viewer, moved by whole texels, so that shadows do not crawl.
  * @param whole - the light's whole shadow camera, whose map is the last one
  * @param viewer - camera of the picture
  * @param wider - number of cascades that are wider than this one, at least 1
- * @param width - of the map (texels)
- * @param height - of the map (texels)
- * @param out - gets the transform of coordinates in the map of `whole` to the cascade's: scale and shift of x, scale
- * and shift of y
+ * @param width - width of the map (texels)
+ * @param height - height of the map (texels)
+ * @param out - receives the transform of coordinates in the map of `whole` to the cascade's: scale and shift of x, scale and
+ *   shift of y
  * @see Valient 2008, Stable Rendering of Cascaded Shadow Maps (ShaderX6)
  */
 export function fitCascade(
@@ -56,8 +56,8 @@ export function fitCascade(
 }
 
 /**
- * Finds the sphere round what a camera sees up to a distance (m): leaves its centre (view space) in `centre`. Of a camera that draws
- * a tile (`setViewOffset`) the whole picture counts: tiles that share cascades meet without a seam.
+ * Finds the sphere around a camera's frustum up to a distance (m): writes its centre (view space) to `centre`. For a camera that
+ * draws a tile (`setViewOffset`), the whole picture's frustum, so that tiles meet without a seam.
  * @returns its radius (m)
  */
 function sphereWithin(viewer: Camera, distance: number): number {

@@ -2,8 +2,8 @@ import { LinearFilter, LinearMipmapLinearFilter, NearestFilter, NearestMipmapLin
 import { LinearMipmapNearestFilter, NearestMipmapNearestFilter } from 'three';
 
 /**
- * Filtering of a cookie, as bits of a whole number: `levels` and `anisotropy` are the first bits of these numbers;
- * lightImage.glsl repeats them.
+ * Filtering of a cookie, as bits of a whole number: index of the first bit of `levels` and `anisotropy`; lightImage.glsl repeats
+ * these numbers.
  */
 export const FILTER_BITS = { levels: 4, anisotropy: 8 } as const;
 

@@ -6,10 +6,10 @@ import { copyShadowFrustum } from '../../three/shadowFrustum';
 const ahead = new Vector3();
 
 /**
- * Leaves the shadow of a light as three's WebGLShadowMap would: the shadow's camera where the map is drawn from (of a point light:
- * the last of six faces), its matrix and frustum.
- * @param proxy - of the light's shadow, on which three's own `updateMatrices` has been run
- * @param far - plane of the map (m)
+ * Leaves a light's shadow in the state that three's WebGLShadowMap would: position of the shadow's camera (for a point light, of
+ * its last face), matrix and frustum.
+ * @param proxy - proxy of the light's shadow, on which three's own `updateMatrices` was called
+ * @param far - far plane of the map (m)
  */
 export function placeShadowCamera(
   light: ShadowLight,

@@ -1,9 +1,9 @@
 /**
- * Space that a light's map reaches, as an array: a fraction handed from function to function may be allocated.
+ * Space that a light's map covers, as an array, since fractional arguments may be allocated.
  *
  * | index | holds |
  * |---|---|
- * | 0–2 | place of the light (world space, m) |
+ * | 0–2 | position of the light (world space, m) |
  * | 3 | range of the light (m), Infinity for none |
  * | 4 | tangent of half the angle that a face of a cube shows, at least 1 |
  * | 5 | widening of boxes, to all sides (m) |

@@ -6,13 +6,13 @@ import type { ShadowLight } from './ShadowLight';
 /** Share of a light's range in which its shadows matter: farther away the light is weak. */
 export const MATTERING_RANGE = 0.5;
 /**
- * Greatest width on screen of a shadow-map texel, within MATTERING_RANGE (pixels): pictures then agree within 50 dB
- * with those of maps of the size asked for.
+ * Greatest width on screen of a shadow-map texel, within MATTERING_RANGE (pixels): pictures then agree within 50 dB with those
+ * of full-size maps.
  */
 const PIXELS = 0.7;
 /**
- * Smallest height for which maps are sized (pixels), also when the picture is smaller: shadow edges fill more of a smaller
- * one, and the small picture that `compileAsync` draws stands for a larger one.
+ * Smallest height for which maps are sized (pixels), even if the picture is smaller: shadow edges fill more of a small picture,
+ * and `compileAsync` draws one pixel in place of a large picture.
  */
 const LEAST_HEIGHT = 720;
 /** Side of the smallest map (texels). */
@@ -30,8 +30,8 @@ interface Projected {
 }
 
 /**
- * How often a light's map could be halved before its texels measured more than `PIXELS` where the light matters, in eighths of
- * a halving (a fraction that is handed from function to function may be allocated).
+ * Number of times that a light's map can be halved before its texels exceed `PIXELS` where the light matters, in eighths
+ * (integers, since fractional values may be allocated).
  * @param picture - size (pixels)
  * @returns 0 for lights without a range, directional lights, and those near the camera
  */
@@ -45,7 +45,7 @@ export function sufficientDetail(slot: Projected, camera: Camera, picture: Pictu
   const e = isCube ? slot.matrix.elements : slot.faces[0].camera.matrixWorld.elements;
   const sign = isCube ? -1 : 1;
   const depth = -(sign * (v[2] * e[12] + v[6] * e[13] + v[10] * e[14]) + v[14]);
-  // how much nearer to the camera the light's sphere or cone comes with each metre from the light, and the side of a texel there (m)
+  // how much closer to the camera the light's sphere or cone gets with each metre from the light, and side of a texel there (m)
   let nearer = 1;
   let texel = 2 / wantedWidth;
   if (!isCube) {

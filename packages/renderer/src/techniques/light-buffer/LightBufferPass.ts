@@ -11,13 +11,13 @@ import { LightVolumeDraws } from '../light-volumes/LightVolumeDraws';
 import type { Pass } from '../../frame/Pass';
 import type { ThinGBuffer } from '../../frame/ThinGBuffer';
 
-/** Texels of four half floats that hold the sums of lightSums.glsl: three, and one more where there are area lights. */
+/** Number of colour attachments (four half floats a texel) for the sums of lightSums.glsl: without and with area lights. */
 const ATTACHMENTS = 3;
 const WITH_AREAS = 4;
 
 /**
- * Adds up the light that reaches each texel of the thin G-buffer, each light over the texels of its volume, diffuse and
- * specular apart, and both apart by Fresnel's term, so that the materials' own colours can be put in afterwards.
+ * Adds up the light that reaches each texel of the thin G-buffer, each light over the texels of its volume, as separate sums:
+ * diffuse and specular, with and without Fresnel's term. Materials multiply them by their own colours later.
  * @see Engel 2009, The Light Pre-Pass Renderer; thesis 2.2.3.3.2
  */
 export class LightBufferPass implements Pass, LightBuffer {
@@ -26,7 +26,7 @@ export class LightBufferPass implements Pass, LightBuffer {
   readonly writes = ['light-buffer'] as const;
   readonly uniforms = lightBufferUniforms();
   readonly twins = lightBufferTwins(this.uniforms);
-  /** Target of the sums, with a copy of the thin G-buffer's depth, which is read meanwhile. */
+  /** Target of the sums, with a copy of the thin G-buffer's depth, since shaders read the original. */
   private target = sumsTarget(ATTACHMENTS);
   private attachments = ATTACHMENTS;
   private readonly surfaces = thinGBufferUniforms();
@@ -46,7 +46,7 @@ export class LightBufferPass implements Pass, LightBuffer {
     }
     const target = this.target.of(source.target.viewport.z, source.target.viewport.w);
     frame.bind(target);
-    frame.clear(attachments, frame.view === 'overdraw'); // in other cases the target's depth is the copy
+    frame.clear(attachments, frame.view === 'overdraw'); // depth is cleared only where no copy of the thin G-buffer's overwrites it
     if (frame.view === 'overdraw') countSurfaces(frame, source);
     frame.copyDepth(source.target, target);
     setThinGBufferUniforms(this.surfaces, source, frame);
@@ -65,7 +65,7 @@ function sumsTarget(count: number): PassTarget {
   return new PassTarget({ count, type: HalfFloatType, depthTexture: true });
 }
 
-/** Adds the draws of the surfaces themselves to the counts. */
+/** Adds one for each draw of a surface to the counts of the view 'overdraw'. */
 function countSurfaces(frame: Frame, source: ThinGBuffer): void {
   for (const item of source.items) frame.drawTwin(item, lightBufferCountTwin);
   for (const item of frame.queue.transparent) if (source.isStippled(item)) frame.drawTwin(item, lightBufferCountTwin);

@@ -7,8 +7,8 @@ import { objectNumber } from './objectNumbers';
 import type { Pass } from '../../frame/Pass';
 
 /**
- * Draws the surfaces of the thin G-buffer once more, into the host's target and with its depth, each by its own material,
- * which takes its direct light from the light buffer.
+ * Draws the thin G-buffer's surfaces again, into the host's target with the thin G-buffer's depth; each material reads its
+ * direct light from the light buffer.
  * @see Engel 2009, The Light Pre-Pass Renderer; Kircher and Lawrance 2009, Inferred Lighting; thesis 2.2.3.3.2
  */
 export class LitMaterialsPass implements Pass {

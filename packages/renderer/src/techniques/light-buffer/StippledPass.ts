@@ -6,7 +6,7 @@ import type { Pass } from '../../frame/Pass';
 import type { LightLoop } from '../../materials/LightLoop';
 
 /**
- * Draws what is transparent, back to front: layers that are in the thin G-buffer by the light buffer, the others forward.
+ * Draws transparent items, back to front: layers in the thin G-buffer are lit by the light buffer, the others forward.
  * @see Kircher and Lawrance 2009, Inferred Lighting
  */
 export class StippledPass implements Pass {

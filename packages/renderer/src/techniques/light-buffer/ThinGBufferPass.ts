@@ -29,15 +29,15 @@ import type { Pass } from '../../frame/Pass';
 
 /** Size and contents of the thin G-buffer. */
 export interface ThinGBufferOptions {
-  /** Whether buffers have `Frame.inferredScale` texels a pixel along each side; else one. */
+  /** Whether the buffers' sides are `Frame.inferredScale` times the picture's; else equal to them. */
   readonly scaled: boolean;
-  /** Whether transparent objects are in the buffers too, each layer in one texel of each two by two. */
+  /** Whether transparent objects are drawn into the buffers too, each layer into one texel of each 2 × 2. */
   readonly stipple: boolean;
 }
 
 /**
- * Draws what the light buffer can light, with no more than lights need to know of it: normal, specular lobe, depth, and
- * which object it is.
+ * Draws the surfaces that the light buffer can light, with only the values that lighting needs: normal, specular lobe, depth and
+ * object number.
  * @see Engel 2009, The Light Pre-Pass Renderer; Kircher and Lawrance 2009, Inferred Lighting; thesis 2.2.3.3.2
  */
 export class ThinGBufferPass implements Pass, ThinGBuffer {
@@ -122,7 +122,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     const height = gridTexels(frame.height, scale);
     this.scaleUniform.value = scale;
     gridFit(frame.width, frame.height, scale, this.fit);
-    // a buffer that stores distances or normals keeps them: cameras may take turns
+    // attachments for distances or normals are kept once made: cameras that need and do not need them may alternate
     const before = this.made?.textures[1]?.format;
     const normals = before === RGBAFormat || needsVertexNormals(frame);
     const format = normals ? RGBAFormat : frame.storesDistance ? RGFormat : undefined;
@@ -141,7 +141,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   }
 }
 
-/** Whether shadow maps are looked up along normals of vertices where other normals are shaded. */
+/** Whether shadow look-ups need vertex normals that differ from the shaded normals (normal bias with normal maps and the like). */
 function needsVertexNormals({ lights, queue }: Frame): boolean {
   return lights.hasNormalBias && queue.opaque.some(shadesOtherNormals);
 }
@@ -151,7 +151,7 @@ function shadesOtherNormals({ material }: RenderItem): boolean {
   return Boolean(normalMap || bumpMap) || side === DoubleSide;
 }
 
-/** @param second - format of an attachment with distances (storedDistance.glsl); RGBA: and with the vertices' normals */
+/** @param second - format of a second attachment: RG for distances (storedDistance.glsl), RGBA for distances and vertex normals */
 function makeTarget(second?: typeof RGFormat | typeof RGBAFormat): WebGLRenderTarget {
   const target = new WebGLRenderTarget(1, 1, {
     count: second === undefined ? 1 : 2,

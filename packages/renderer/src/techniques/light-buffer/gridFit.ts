@@ -1,6 +1,6 @@
 import type { Vector4 } from 'three';
 
-/** Texels along a side of a buffer with `scale` (above 0, at most 1) texels for each of `pixels`. */
+/** Side (texels) of a buffer with `scale` (above 0, at most 1) texels for each of `pixels`. */
 export function gridTexels(pixels: number, scale: number): number {
   return Math.max(1, Math.ceil(pixels * scale));
 }
@@ -14,8 +14,8 @@ export function gridShift(scale: number): number {
 }
 
 /**
- * Transform of the picture's normalised device coordinates to the buffer's: times x and y, then plus z and w. A texel
- * is as wide as 1 / `scale` pixels exactly, also where the buffer reaches over the picture's edge.
+ * Transform from the picture's normalised device coordinates to the buffer's: times xy, plus zw. A texel is exactly 1 / `scale`
+ * pixels wide, even if the buffer then extends past the picture's edge.
  */
 export function gridFit(width: number, height: number, scale: number, out: Vector4): Vector4 {
   const columns = gridTexels(width, scale);

@@ -1,6 +1,6 @@
 import type { Frame } from '../../frame/Frame';
 
-/** Whether shaders have code for area lights, since a scene has had one. */
+/** Whether shaders contain code for area lights, which they do after the first scene with one. */
 export function hasAreaLights(frame: Frame): boolean {
   return frame.uniforms.farol_ltc.value !== null;
 }

@@ -11,11 +11,10 @@ type AnyMaterial = Material &
 type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughness?: number };
 
 /**
- * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical
- * with iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection),
- * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; so does a specular intensity
- * below 1 where shaders know area lights, since the sum that holds their diffuse light is in use then, and what shows
- * lights of the frame too sharply.
+ * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical with
+ * iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection), an
+ * anisotropic one, rough diffuse reflection and toon shading need each light by itself; so does a specular intensity below 1
+ * where shaders have area lights, since both need the sum `rest`, and surfaces too glossy for the frame's lights.
  * @param knowsAreas - whether shaders have code for area lights. Default false
  * @param lights - kinds of lights in the frame. Default none
  */

@@ -1,4 +1,4 @@
-// Count of a technique with a light buffer at each pixel: shaded materials, and a share of its texel's lights.
+// Count view at each pixel of a technique with a light buffer: shaded materials, and a share of its texel's lights.
 // Farol
 #include "heatMap"
 #include "heatScale"

@@ -1,8 +1,8 @@
-// Reads the light buffer, of whatever resolution, for a pixel of the picture, by a discontinuity-sensitive filter.
+// Reads the light buffer, of any resolution, for a pixel of the picture, by a filter that respects edges of objects.
 // Kircher and Lawrance 2009, Inferred Lighting: Fast dynamic lighting and shadows for opaque and translucent objects
 #include "thinGBufferRead"
 #include "lightSums"
-varying highp vec2 farol_object; // x: number of the object; y: corner of the stipple that it takes, 0: all texels
+varying highp vec2 farol_object; // x: object number; y: its corner of the 2 × 2 stipple, 0: all texels
 uniform highp sampler2D farol_sums0;
 uniform highp sampler2D farol_sums1;
 uniform highp sampler2D farol_sums2;
@@ -17,7 +17,7 @@ struct FarolReader {
   vec3 normalVS;
   float object;
   vec2 size; // size of the light buffer (texels)
-  float reach; // greatest distance of a texel from the tangent plane: the width of two texels there (m)
+  float reach; // largest distance of an agreeing texel from the tangent plane (m): two texels' width at that depth
   int stride; // 2 for a stippled layer: every second texel
   ivec2 corner; // corner of the stipple
   ivec2 last; // last texel in steps of the stride
@@ -34,21 +34,22 @@ ivec2 farol_texelAt(const in FarolReader reader, const in ivec2 place) {
   return clamp(place, ivec2(0), reader.last) * reader.stride + reader.corner;
 }
 
-// x: agreement of a texel with the surface, 0 (another object or depth) to 1; y: disagreement, to choose a fallback by
+// x: agreement of a texel with the surface, 0 (another object or depth) to 1; y: disagreement, least for the best
+// fallback
 vec2 farol_agreement(const in FarolReader reader, const in ivec2 texel) {
   vec4 thin = texelFetch(farol_thinSurface, texel, 0);
   vec3 there = farol_thinPosition(texel, reader.size);
   float off = abs(dot(there - reader.positionVS, reader.normalVS)) / reader.reach;
   float cosine = clamp(dot(farol_decodeNormal(thin.xy), reader.normalVS), 0.0, 1.0);
   bool same = abs(thin.w) == reader.object;
-  // half at 8 degrees: light changes faster with the normal than with the place
+  // falls to half at 8 degrees: light changes faster with the normal than with position
   float agreement = same && off < 1.0 ? pow(cosine, 64.0) : 0.0;
   float nothing = 1e6;
   return vec2(agreement, (thin.w == 0.0 ? nothing : same ? 0.0 : 4.0) + min(off, 100.0) + 1.0 - cosine);
 }
 
 void farol_addTexel(inout FarolReader reader, const in ivec2 texel, const in float weight) {
-  // a sum past the range of half floats is infinite: 0 times it is to be 0
+  // clamped, since half floats may have overflowed to infinity, and 0 × infinity would be NaN
   reader.sums0 += weight * min(texelFetch(farol_sums0, texel, 0), 65504.0);
   reader.sums1 += weight * min(texelFetch(farol_sums1, texel, 0), 65504.0);
   reader.sums2 += weight * min(texelFetch(farol_sums2, texel, 0), 65504.0);

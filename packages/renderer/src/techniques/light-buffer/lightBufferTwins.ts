@@ -4,8 +4,8 @@ import { withObject } from './objectAttribute';
 import type { TwinKind } from '../../materials/TwinKind';
 
 /**
- * Makes the twins of lit materials that take their direct light from the light buffer.
- * @param uniforms - of lightBufferFilter.glsl
+ * Makes twins of lit materials that read their direct light from the light buffer.
+ * @param uniforms - uniforms of lightBufferFilter.glsl
  */
 export function lightBufferTwins(uniforms: Record<string, IUniform>): (view: string) => ForwardTwins {
   return forwardTwins('lightLoopBuffer', (kind: TwinKind) =>

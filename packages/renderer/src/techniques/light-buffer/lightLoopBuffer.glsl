@@ -1,4 +1,4 @@
-// Replaces a light loop: the sums of the light buffer for this pixel, weighted by the material's colours.
+// In place of a light loop: the light buffer's sums at this pixel, multiplied by the material's colours.
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5); Kircher and Lawrance 2009, Inferred Lighting
 #include "lightBufferFilter"
 #ifdef USE_IRIDESCENCE

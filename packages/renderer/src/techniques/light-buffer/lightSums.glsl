@@ -1,11 +1,12 @@
-// Sums of light without a surface's colours: three texels hold the first four, the fourth in their alphas; another
-// texel holds the sum of area lights, if there are any.
-// Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5); three.js r187's RE_Direct, apart by Fresnel's weight
+// Sums of light, not multiplied by a surface's colours: three texels hold the first four sums, the fourth in their
+// alphas; a fourth texel holds `area`, if there are area lights. c: light colour, N·L: cosine, V and D: terms of the
+// lobe.
+// Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5); three.js r187's RE_Direct, split by Fresnel's weight
 #include "areaLight"
 struct FarolLightSums {
   // physical: sum of c N·L (1 - f), f: Schlick's fifth power; else sum of c N·L and of the lights' ambient
   vec3 diffuse;
-  // physical: the lights' ambient and the diffuse light of area lights, or sum of c N·L f where F90 is below 1
+  // physical: ambient parts of lights and diffuse light of area lights; where F90 is below 1, sum of c N·L f
   vec3 rest;
   vec3 specularF0; // sum of c N·L V D (1 - f)
   vec3 specularF90; // sum of c N·L V D f

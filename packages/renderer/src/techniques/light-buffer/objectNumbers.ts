@@ -1,6 +1,6 @@
-/** Whole numbers that a half float holds exactly end at 2,048. */
+/** Largest object number; half floats hold whole numbers exactly up to 2,048. */
 const NUMBERS = 2047;
-/** Texels of each 2 × 2 that transparent layers are lit in; the fourth belongs to opaque surfaces. */
+/** Number of texels in each 2 × 2 for transparent layers; the fourth belongs to opaque surfaces. */
 export const STIPPLE_LAYERS = 3;
 
 /**
@@ -12,8 +12,7 @@ export function objectNumber(draw: number): number {
 }
 
 /**
- * Corner of each two by two texels, 1 to 3, that a transparent layer takes: three layers over one another have one
- * each.
+ * Corner of each 2 × 2 texels, 1 to 3, that a transparent layer writes; three overlapping layers have one each.
  * @param layer - index of the transparent layer in the frame, from 0, farthest first
  * @see Kircher and Lawrance 2009, section on alpha polygons
  */

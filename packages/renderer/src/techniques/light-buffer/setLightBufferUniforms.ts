@@ -22,7 +22,7 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   unproject.set(unproject.x / x, unproject.y / y, unproject.z * x - z, unproject.w * y - w);
 }
 
-/** Sets the uniforms for a thin G-buffer and its light. @param sums - the textures of the light buffer */
+/** Sets the uniforms for a thin G-buffer and its light buffer. @param sums - the textures of the light buffer */
 export function setLightBufferUniforms(
   uniforms: LightBufferUniforms,
   source: ThinGBuffer,

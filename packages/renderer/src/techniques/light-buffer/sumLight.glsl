@@ -14,13 +14,13 @@ struct FarolLobe {
   vec3 viewDirVS;
   float dotNV;
   float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
-  float lambdaV; // the view's part of the height-correlated Smith term
+  float lambdaV; // view-dependent part of the height-correlated Smith term
 #ifdef FAROL_AREA_LIGHTS
   vec4 ltc; // the specular lobe's linear transform
 #endif
 };
 
-// lobe, object: as the thin G-buffer holds them
+// lobe, object: values stored in the thin G-buffer
 FarolLobe farol_lobe(const in float lobe, const in float object, const in vec3 normalVS, const in vec3 viewDirVS) {
   FarolLobe l;
   l.physical = lobe > 0.0;
@@ -66,7 +66,8 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
     diffuseColor = farol_extensionDiffuse(light.extension);
     specularColor = farol_extensionSpecular(light.extension);
     vec3 ambient = farol_extensionAmbient(light.extension) * light.attenuation;
-    // with F90 below 1 the rest is in use: the ambient part goes to the diffuse sum, and loses F0 there
+    // with F90 below 1 `rest` holds another sum; `diffuse` takes the ambient part, which the material then scales by
+    // 1 - F0
     if (lobe.physical && !lobe.splitsDiffuse) sums.rest += ambient;
     else sums.diffuse += ambient;
   }

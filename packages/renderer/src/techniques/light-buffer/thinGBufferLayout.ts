@@ -2,9 +2,9 @@ import { HalfFloatType, RGBAFormat } from 'three';
 import type { GBufferAttachment } from '../../gbuffer/gbufferLayout';
 
 /**
- * The thin G-buffer: 8 bytes a texel and 32-bit float depth. Position is rebuilt from depth, or from an
- * attachment of distances where that is too coarse, which has the vertices' normals too where shadow maps need them. The encoding is
- * thinGBufferWrite.glsl, sumLight.glsl and lightBufferFilter.glsl.
+ * The thin G-buffer: 8 bytes a texel and 32-bit float depth. Position is rebuilt from depth, or where depth is too coarse from a
+ * second attachment of distances, which also holds vertex normals where shadow maps need them. Encoded in thinGBufferWrite.glsl,
+ * decoded in sumLight.glsl and lightBufferFilter.glsl.
  */
 export const thinGBufferLayout = {
   // xy: view-space normal, octahedral; z: specular lobe: roughness (2 more where F90 is below 1), -1 -

@@ -5,21 +5,21 @@
 #include "storedDistance"
 #include "unproject"
 uniform highp sampler2D farol_thinSurface;
-uniform highp sampler2D farol_thinDepth; // depths, or distances if farol_thinStored is not 0
-// 0: no distances are stored; 1: they are, perspective; 2: orthographic; 4 more: normals too
+uniform highp sampler2D farol_thinDepth; // depth texture, or the attachment of distances if farol_thinStored is not 0
+// 0: no stored distances; 1: distances, perspective; 2: distances, orthographic; plus 4: normals too
 uniform highp int farol_thinStored;
 
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_thinPosition(pixel, farol_readSize)
 
-// texel of a buffer of the given size
+// view-space position at a texel of a buffer of the given size
 vec3 farol_thinPosition(const in ivec2 texel, const in vec2 size) {
   vec2 depth = texelFetch(farol_thinDepth, texel, 0).rg;
   float z = farol_thinStored == 0 ? farol_viewZ(depth.r) : -farol_unpackDistance(depth, (farol_thinStored & 3) == 2);
   return farol_unprojectAt((vec2(texel) + 0.5) / size, z);
 }
 
-// normal along which the surface in farol_readPixel looks shadow maps up: the vertices', where it is stored
+// normal of shadow look-ups for the surface in farol_readPixel: the vertex normal, where stored
 #define FAROL_SHADOW_NORMAL_OF(s) farol_thinVertexNormal(s.normalVS)
 vec3 farol_thinVertexNormal(const in vec3 normalVS) {
   return farol_thinStored < 4 ? normalVS : farol_decodeNormal(texelFetch(farol_thinDepth, farol_readPixel, 0).zw);

@@ -14,7 +14,7 @@ export interface ThinGBufferTwins {
 
 const SPECULAR_ANTIALIASING = 'vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );';
 
-/** three widens highlights by how the normal changes from pixel to pixel; a texel may be wider than a pixel. */
+/** Scales normal derivatives to a pixel: three widens highlights by them, and a texel may be wider than a pixel. */
 function byPixels(text: string): string {
   if (findChunk(text, 'lights_physical_fragment') === null) return `uniform float farol_thinScale;\n${text}`;
   const chunk = replacePart(
@@ -28,8 +28,8 @@ function byPixels(text: string): string {
 const FIT = 'gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;';
 
 /**
- * @param scale - texels of the buffer a pixel of the picture, along a side
- * @param fit - from the picture's normalised device coordinates to the buffer's: scale, shift
+ * @param scale - side of the buffer over the picture's
+ * @param fit - transform of `gridFit`, from the picture's normalised device coordinates to the buffer's
  */
 export function thinGBufferTwins(scale: IUniform<number>, fit: IUniform<Vector4>): ThinGBufferTwins {
   const kind = (part: string, atEnd: string, properties: TwinKind['properties']): TwinKind => {

@@ -4,13 +4,13 @@
 #include "roundToHalf"
 #include "storedDistance"
 layout(location = 1) out highp vec4 farol_outDistance;
-// normal along which shadow maps are looked up: the vertices'
+// normal of shadow look-ups: the vertex normal
 #if defined( FAROL_VERTEX_NORMAL ) && ! defined( FLAT_SHADED )
   #define FAROL_THIN_NORMAL vNormal
 #else
   #define FAROL_THIN_NORMAL (gl_FrontFacing ? normal : -normal)
 #endif
-varying highp vec2 farol_object; // x: number of the object; y: corner of the stipple that it takes, 0: all
+varying highp vec2 farol_object; // x: object number; y: its corner of the 2 × 2 stipple, 0: all texels
 #if defined( STANDARD )
   #define FAROL_LOBE (material.specularF90 < 1.0 ? 2.0 + material.roughness : material.roughness)
 #elif defined( PHONG )
@@ -22,7 +22,7 @@ varying highp vec2 farol_object; // x: number of the object; y: corner of the st
   farol_roundToHalf(farol_encodeNormal(FAROL_THIN_NORMAL))); \
   gl_FragColor = vec4(farol_roundToHalf(farol_encodeNormal(normal)), FAROL_LOBE, \
   floor(farol_object.x + 0.5) * (receiveShadow ? 1.0 : -1.0));
-// a transparent layer writes one texel of each two by two, and none where it is not seen
+// a transparent layer writes one texel of each 2 × 2, and none where its alpha is nearly 0
 #define FAROL_STIPPLE { \
   ivec2 farol_corner = ivec2(gl_FragCoord.xy) & 1; \
   if (farol_corner.x + 2 * farol_corner.y != int(farol_object.y + 0.5) || gl_FragColor.a < 0.004) discard; \

@@ -1,4 +1,4 @@
-// Light volumes over the thin G-buffer: a texel's sums of light into the light buffer.
+// Light volumes over the thin G-buffer: adds a light to a texel's sums in the light buffer.
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5)
 #include "thinGBufferRead"
 #include "sumLight"
@@ -11,7 +11,7 @@ layout(location = 3) out highp vec4 farol_sums3;
 #endif
 
 struct FarolPixel {
-  vec3 positionVS; // m
+  vec3 positionVS; // view space, m
   FarolLobe lobe;
   FarolLightSums sums;
 };

@@ -4,7 +4,7 @@ import { WordTable } from '../../gpu/WordTable';
 import type { LightLists } from '../../frame/LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
 
-/** Uploaded when there are no lights to list, since a texture must be bound. */
+/** Data uploaded when there are no lights to list, since a texture must be bound. */
 const NO_WORDS = new Uint32Array(4);
 const PLAIN: LightLists = { loop: 'lightLoopClustered', defines: {} };
 const WITH_TILES: LightLists = { loop: 'lightLoopClustered', defines: { FAROL_TILE_SHADOWS: '' } };
@@ -12,7 +12,7 @@ const WITH_TILES: LightLists = { loop: 'lightLoopClustered', defines: { FAROL_TI
 const float = new Float32Array(1);
 const bits = new Int32Array(float.buffer);
 
-/** Uploads the light grid, which the CPU makes with the light table. Needs the light order 'by-grid'. */
+/** Uploads the light grid, which the CPU computes along with the light table. Needs the light order 'by-grid'. */
 export class LightGridPass implements Pass {
   readonly name = 'light lists';
   readonly reads: readonly Resource[];
@@ -21,8 +21,8 @@ export class LightGridPass implements Pass {
   private readonly bins = new WordTable(1);
 
   /**
-   * @param lit - 'gbuffer' if the lists light a G-buffer: then also finds tiles that shadow maps leave wholly lit or
-   * dark
+   * @param lit - 'gbuffer' if the lists light a G-buffer: the pass then also finds tiles that shadow maps leave wholly lit or
+   *   dark
    */
   constructor(private readonly lit: 'gbuffer' | null = null) {
     this.reads = lit === null ? [] : [lit];
@@ -52,7 +52,7 @@ export class LightGridPass implements Pass {
     sizes[1] = grid.tilesY;
     sizes[2] = bounded > 0 ? grid.deepWords : 0;
     sizes[3] = firstBounded;
-    // the start is sent as the float whose bits it is: as a value it would be rounded
+    // an integer's bits, passed as a float, since its value would be rounded
     bits[0] = grid.depthStart;
     const depth = uniforms.farol_gridDepth.value;
     depth[0] = grid.depthShift;

@@ -13,13 +13,13 @@ import { textureHandle } from '../../three/handles';
 
 const LIGHTS_PER_QUAD = 128;
 /**
- * Part of its range in which a plain point light is listed with the quality 'lite': beyond, light that falls off with the square
- * of the distance is at most 1.1% of that at half of the range.
+ * Share of its range in which quality 'lite' lists a plain point light: beyond, inverse-square light is at most 1.1% of that at
+ * half of the range.
  */
 const LITE_REACH = 0.95;
 /** Side of the blocks whose depths are bounded first (pixels). */
 const BLOCK = 4;
-/** Shared uniforms of the pass: without the lists, which it must not read while writing them. */
+/** Shared uniforms of the pass, without the list textures, which it writes and so must not read. */
 const SHARED = ['farol_lightTable', 'farol_lightCounts', 'farol_tiles', 'farol_tileRun', 'farol_tileMask'];
 const DEFINES = {
   none: {},
@@ -28,16 +28,16 @@ const DEFINES = {
 } as const satisfies Record<TileDepthUse, object>;
 const LISTS: LightLists = { loop: 'lightLoopTiled', defines: {} };
 
-/** A program with the target of words that it fills. */
+/** Program and the integer target that it draws to. */
 interface Step {
   readonly pass: FullscreenPass;
   readonly target: WebGLRenderTarget;
 }
 
 /**
- * Light lists of the screen's tiles, one bit a light, made on the GPU without compute: blocks of 4 × 4 tiles test all
- * lights, tiles test what their block kept, and a summary says which quads of 128 lights are not empty. No cap: a list
- * has room for every light.
+ * Light lists of the screen's tiles, one bit a light, made on the GPU without compute: blocks of 4 × 4 tiles test all lights,
+ * tiles test the lights that their block kept, and a summary marks the quads (128 lights) that are not empty. A list has room
+ * for every light.
  * @see Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+
  */
 export class LightTilesPass implements Pass {
@@ -95,7 +95,7 @@ export class LightTilesPass implements Pass {
     draw(frame, this.coarse);
     fitGrids(this.fine.target, x, y, quads, shift);
     draw(frame, this.fine);
-    // a list of one quad is its own summary
+    // lists of one quad need no summary
     if (quads === 1) return;
     fitGrids(this.summary.target, x, y, pages, pages > 1 ? shift : 0);
     draw(frame, this.summary);
@@ -131,14 +131,14 @@ export class LightTilesPass implements Pass {
     own.farol_sceneDepth.value = this.use === 'none' ? null : frame.resources.get('scene-depth');
   }
 
-  /** Creates the textures of lists not made in a frame, also after a lost context, since shaders bind them. */
+  /** Creates the textures of lists that a frame does not fill, also after a lost context, since shaders bind them. */
   private giveStorage(frame: Frame): void {
     for (const { target } of [this.fine, this.summary]) {
       if (textureHandle(frame.webgl, target.texture) === undefined) frame.bind(target);
     }
   }
 
-  /** Links all programs, each for a target of its kind, so that a later frame with more lights waits for none. */
+  /** Compiles all programs ahead, each for its kind of target, so that a later frame with more lights does not wait. */
   private compile(frame: Frame): void {
     this.isCompiled = true;
     this.giveStorage(frame);

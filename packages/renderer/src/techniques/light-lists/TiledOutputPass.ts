@@ -8,7 +8,7 @@ interface TiledUniforms extends GBufferUniforms {
   dfgLUT: IUniform<Texture | null>;
 }
 
-/** Lights the G-buffer by the light lists, every pixel once. */
+/** Shades every pixel of the G-buffer once, by the light list of its tile. */
 export class TiledOutputPass extends OutputPass<TiledUniforms> {
   readonly reads = ['gbuffer', 'light-lists', 'overdraw'] as const;
   private lists: LightLists | null = null;

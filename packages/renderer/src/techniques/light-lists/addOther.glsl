@@ -2,7 +2,7 @@
 // Farol
 #include "shading"
 
-// adds one of three's point lights, without a mask or with all of it let through; sphere: texel of its record
+// adds a plain point light, unmasked or fully let through by its mask; sphere: texel of its record
 void farol_addPlain(inout FarolShading s, const in vec4 sphere, const in vec3 color, const in float decay) {
   vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
   float range = farol_lightRange(sphere);
@@ -13,8 +13,8 @@ void farol_addPlain(inout FarolShading s, const in vec4 sphere, const in vec3 co
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), arriving, arriving);
 }
 
-// a light with a range, unless it is a plain point light or an area light; isPlain: it would be the former but for its
-// mask, which lets all through; both texels are fetched before either is looked at
+// adds a light with a range, unless it is a plain point light or an area light; isPlain: a point light whose mask
+// lets all through here; both texels are fetched before a branch, so that the reads overlap
 void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {
   vec4 sphere = farol_lightSphere(record);
   vec4 emission = farol_lightEmission(record);

@@ -1,8 +1,8 @@
-// Adds a listed plain point light to the sums of a surface, as farol_addLight does, in fewer steps.
-// Farol; its emission is fetched while the distance is found
+// Adds a listed plain point light to the sums of a surface, as farol_addLight does, in fewer steps. Farol; fetches
+// the emission before the distance is computed, so that both overlap
 #include "shading"
 
-// physical: farol_isPhysical(s), asked once before the loop; other kinds of light are left out
+// physical: farol_isPhysical(s), evaluated once before the loop; lights of other kinds are skipped
 void farol_addPoint(inout FarolShading s, const in int record, const in bool physical) {
   vec4 sphere = farol_lightSphere(record);
   vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
@@ -16,7 +16,7 @@ void farol_addPoint(inout FarolShading s, const in int record, const in bool phy
   color *= farol_boundedAttenuation(distanceSquared, ratio, farol_lightPlainDecay(emission));
   farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color, color);
 #else
-  // farol_addLight in fewer steps: lights behind the surface and out of reach leave at once, lengths divide last
+  // farol_addLight in fewer steps: returns early for lights behind the surface or out of range, normalises late
   float along = dot(s.normalVS, toLight);
   float rangeSquared = range * range;
   if (!(along > 0.0) || distanceSquared >= rangeSquared || !farol_lightIsPlain(emission)) return;

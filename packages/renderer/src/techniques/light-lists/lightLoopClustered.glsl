@@ -5,7 +5,7 @@
 #include "shadePlain"
 #include "lightTiles"
 #include "viewport"
-uniform highp usampler2D farol_gridMasks; // bit a light; a row of texels for a row of tiles, four words a texel
+uniform highp usampler2D farol_gridMasks; // one bit for each light, 128 a texel; a row of texels a row of tiles
 uniform highp usampler2D farol_gridBins; // ranks of the lights in each bin of depth: first | last << 16
 // x: log2 of a tile's side (pixels); y: tiles in y; z: words of 32 lights that reach every depth; w: first record
 uniform highp ivec4 farol_grid;
@@ -19,7 +19,7 @@ uvec2 farol_depthBin(const in float depth) {
   return uvec2(ranks & 65535u, ranks >> 16);
 }
 
-// one word of the tile's mask: the lights whose ranks are in the range, or which count for every depth
+// one word of the tile's mask: lights with ranks in the range, and lights that reach every depth
 uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ranks) {
   uvec4 quad = texelFetch(farol_gridMasks, ivec2(tile.x, (word >> 2) * farol_grid.y + tile.y), 0);
   uvec2 half2 = (word & 2) == 0 ? quad.xy : quad.zw;
@@ -28,10 +28,10 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 }
 
 #if defined( FAROL_HAS_MASKS ) && defined( FAROL_TILE_SHADOWS )
-// per tile of 8 pixels, a texel for each two words (32 lights each): bits of lights that light all of the tile, bits of
-// lights that light none of it; both bits: a point light with a shadow map that lights all of it
+// per tile of 8 × 8 pixels, a texel for each two words (32 lights each): bits of lights whose shadow maps leave the
+// whole tile lit, then of lights that are wholly shadowed there; both bits: a point light that lights all of the tile
 uniform highp usampler2D farol_tileShadows;
-uniform highp int farol_tileShadowWords; // words of farol_tileShadows a tile; 0 while none are known
+uniform highp int farol_tileShadowWords; // words of farol_tileShadows for each tile; 0 while there are none
 
 uvec2 farol_tileMarks(const in int word) {
   if (word >= farol_tileShadowWords) return uvec2(0u);
@@ -46,7 +46,7 @@ uvec2 farol_tileMarks(const in int word) {
 #endif
 
 // Opens two loops over the lights of a pixel's cluster; farol_record is a light's record.
-// without: leaves lights out that are known to light none of the tile (farol_marks)
+// without: whether to skip lights known to be wholly shadowed in the tile (farol_marks)
 #define FAROL_FOR_EACH_UNMARKED(positionVS, without) \
   ivec2 farol_tile = ivec2(gl_FragCoord.xy - farol_offset) >> farol_grid.x; \
   ivec2 farol_ranks = ivec2(farol_depthBin(-(positionVS).z)); \
@@ -70,11 +70,11 @@ bool farol_mayHavePlain() {
 #endif
 }
 
-// plain point lights by one loop, area lights by another, all else by a third, so that each stays short
+// separate loops for plain point lights, area lights and all others, so that each loop is short
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   if (farol_mayHavePlain()) {
-    // the shading model is asked before the loop, not light by light
+    // the shading model is tested once, before the loop
     if (farol_isPhysical(s)) {
       FAROL_FOR_EACH_LISTED(s.positionVS) farol_addPoint(s, farol_record, true); FAROL_END_LISTED
     } else {

@@ -1,14 +1,14 @@
-// Light loop over the list of the pixel's tile, after the lights that reach everything.
-// Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering (bit lists)
+// Light loop over the lights that reach every pixel, then over the list of the pixel's tile. Olsson and Assarsson
+// 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering (bit lists)
 #include "addPoint"
 #include "lightTileLists"
 
-// of 32 bits, each of which stands for a quad (128 lights), from quad start on: those of quads first to last
+// of 32 bits for quads (128 lights each) from quad start on, keeps those of quads first to last
 uint farol_quadsFrom(const in uint bits, const in int start, const in int first, const in int last) {
   return bits & farol_bitsFrom(start, first, last);
 }
 
-// opens loops over the lights in quads firstQuad to lastQuad of the list of farol_tile
+// opens loops over the lights in quads firstQuad to lastQuad of farol_tile's list
 #define FAROL_FOR_EACH_LISTED_IN(firstQuad, lastQuad) \
   FAROL_FOR_EACH_IN_QUADS(farol_summaryOf(farol_tile, farol_page), \
     farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad))
@@ -16,11 +16,11 @@ uint farol_quadsFrom(const in uint bits, const in int start, const in int first,
   ivec2 farol_tile = farol_tileOf(gl_FragCoord.xy); \
   FAROL_FOR_EACH_LISTED_IN(0, farol_tiles.w - 1)
 
-// plain point lights by one loop, area lights by another, all else by a third, so that each stays short
+// separate loops for plain point lights, area lights and all others, so that each loop is short
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   ivec2 farol_tile = farol_tileOf(gl_FragCoord.xy);
-  // the shading model is asked before the loop, not light by light
+  // the shading model is tested once, before the loop
   if (farol_isPhysical(s)) {
     FAROL_FOR_EACH_LISTED_IN(0, farol_tileRun.w - 1) farol_addPoint(s, farol_record, true); FAROL_END_LISTED
   } else {

@@ -10,13 +10,13 @@ ivec2 farol_tileOf(const in vec2 fragCoord) {
   return ivec2(fragCoord - farol_offset) >> FAROL_TILE_SHIFT;
 }
 
-// quads of a page of a tile's list that hold lights; lists of one quad need no summary
+// bits of the non-empty quads of one page (128 quads) of a tile's list; lists of one quad have no summary texture
 uvec4 farol_summaryOf(const in ivec2 tile, const in int page) {
   if (farol_tiles.w == 1) return uvec4(farol_tileRun.y > 0 ? 1u : 0u, 0u, 0u, 0u);
   return texelFetch(farol_tileSummary, farol_listTexel(tile, farol_tiles.yz, page), 0);
 }
 
-// Opens five loops over the list of the tile farol_tile; farol_record is a light's record.
+// Opens five loops over the list of farol_tile; farol_record is a light's record.
 // summary: bits of the quads of farol_page that may hold a light; quads: bits to loop over, among those of
 // farol_summary.x, which begin at quad farol_word
 #define FAROL_FOR_EACH_IN_QUADS(summary, quads) \
@@ -38,7 +38,7 @@ uvec4 farol_summaryOf(const in ivec2 tile, const in int page) {
     FarolLight farol_light = farol_localLight(farol_record, positionVS); \
     FAROL_SHADE(farol_light) \
   FAROL_END_LISTED
-// shades by the lights of the list and by those in no list
+// shades by the lights that are in no list, then by the tile's list
 #define FAROL_SHADE_ALL(positionVS) \
   for (int farol_i = 0; farol_i < farol_tileRun.x; farol_i++) { \
     FarolLight farol_light = farol_lightAt(farol_i, positionVS); \

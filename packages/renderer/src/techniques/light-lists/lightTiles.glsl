@@ -1,6 +1,6 @@
-// Texels of the light lists of the screen's tiles, and functions on their bits.
-// Farol; a list is a bit a light, 128 lights a texel (a quad of words). The texels of one quad lie as the tiles do, so
-// that neighbours in a texture are neighbours on the screen, with the same candidates; such grids lie side by side.
+// Texels of the light lists of the screen's tiles, and functions on their bits. Farol; a list has one bit for each
+// light, 128 lights a texel (a quad of words). The texels of one quad form a grid like the tiles on the screen, so
+// that neighbouring texels test similar lights; the grids of all quads lie side by side.
 //? farol_lowestBit(1u) == 0
 //? farol_lowestBit(2147483648u) == 31
 //? farol_lowestBit(40u) == 3
@@ -9,14 +9,14 @@
 //? farol_bitsFrom(32, 0, 20) == 0u
 //? farol_packGap(vec2(0.0, 1.0)) == 4294770692u
 //? farol_packGap(vec2(1.0, 0.0)) == 65534u
-// grids side by side in a row of a list texture, as a power of two; tiles in x; tiles in y; quads a tile
+// x: log2 of the number of grids in a row of a list texture; y, z: tiles in x and y; w: quads in each tile's list
 uniform highp ivec4 farol_tiles;
 // x: first record of the listed lights; y: their number; z: summary texels a tile; w: quads of plain point lights
 uniform highp ivec4 farol_tileRun;
 
-const int FAROL_TILE_SHIFT = 4; // pixels a side, as a power of two
+const int FAROL_TILE_SHIFT = 4; // log2 of a tile's side (pixels)
 
-// texel of a tile, or of a block of tiles, in the index-th of the grids of a list texture
+// texel of a tile, or block of tiles, in grid number index of a list texture; grid: size of one grid
 ivec2 farol_listTexel(const in ivec2 tile, const in ivec2 grid, const in int index) {
   return tile + grid * ivec2(index & ((1 << farol_tiles.x) - 1), index >> farol_tiles.x);
 }
@@ -33,7 +33,8 @@ uint farol_bitsFrom(const in int start, const in int first, const in int last) {
   return (4294967295u << uint(low)) & (4294967295u >> uint(31 - high));
 }
 
-// the largest gap between the surfaces of a tile, as parts of their range, rounded to a smaller gap; bit 0 stays free
+// packs a tile's largest gap between surfaces (start, end, 0 to 1 within its depth range), made smaller by rounding;
+// bit 0 is left free
 uint farol_packGap(const in vec2 gap) {
   vec2 steps = clamp(gap, 0.0, 1.0) * vec2(32767.0, 65535.0) + vec2(2.0, -2.0);
   return min(uint(steps.x), 32767u) << 1 | uint(max(steps.y, 0.0)) << 16;

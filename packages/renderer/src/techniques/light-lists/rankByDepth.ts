@@ -4,7 +4,7 @@ import { type LightTable, QUAD } from '../../lighting/LightTable';
 
 const depthOrder = new DepthOrder();
 
-/** Gives the lights with a range their records near to far, plain point lights first, and the others from a new quad on. */
+/** Orders the records of lights with a range near to far, plain point lights first; other lights begin with a new quad. */
 export function rankByDepth(lights: LightTable): void {
   const { emissions, spheres } = lights;
   const count = lights.boundeds.length;

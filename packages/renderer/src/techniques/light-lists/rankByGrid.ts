@@ -4,7 +4,7 @@ import type { PictureSize } from '../../lights/PictureSize';
 import { projectionFar, projectionNear } from '../../lights/projection';
 import type { LightTable } from '../../lighting/LightTable';
 
-/** Makes the light grid of a table; the lights with a range get its ranks as records. */
+/** Computes the light grid of a table; lights with a range get their ranks in the grid as records. */
 export function rankByGrid(lights: LightTable, camera: Camera, { width, height }: PictureSize): void {
   const grid = (lights.grid ??= new LightGrid());
   const { elements } = camera.projectionMatrix;

@@ -3,9 +3,9 @@ import { fetching } from '../../lights/fetching';
 import type { FoundLights } from '../../lights/FoundLights';
 import { isPlainPoint, POINT, writePoint } from '../../lights/plainPoints';
 
-/** Objects whose data are fetched together; few enough for the caches of a processor's core. */
+/** Number of objects whose data are read ahead together; few enough for a core's caches. */
 const FETCHED = 32;
-/** Number of objects from which on they are fetched: fewer stay in the caches from frame to frame. */
+/** Number of objects from which on data are read ahead; fewer stay in the caches from frame to frame. */
 const FETCHED_FROM = 64;
 
 const HINT =
@@ -13,10 +13,10 @@ const HINT =
 
 const { updateMatrix, updateMatrixWorld } = Object3D.prototype;
 
-/** Keeps engines from leaving reads out whose values are not used. */
+/** Receives a sum of the values read ahead, so that engines do not optimise the reads away. */
 const sums = new Float64Array(1);
 
-/** Lets later frames of all renderers read lights by the thousand. */
+/** Installs a faster reader of many lights for later frames of all renderers. */
 export function readLightsInRows(): void {
   fetching.reader = { readPoints, hintFor: (singles) => (singles < 2000 ? null : HINT) };
 }
@@ -41,7 +41,7 @@ function readPoints(parent: Object3D, first: number, mask: number, found: FoundL
     const { elements: local } = matrix;
     const { elements: world } = matrixWorld;
     if (all[count] === light && isTurnedAs(light, poses, count * POINT, local[10], world[10])) {
-      // other elements lie in other lines of the cache, which are waited for
+      // only the position: writing other elements would wait for more cache lines
       local[12] = world[12] = x;
       local[13] = world[13] = y;
       local[14] = world[14] = z;
@@ -58,7 +58,7 @@ function readPoints(parent: Object3D, first: number, mask: number, found: FoundL
   return i;
 }
 
-/** Whether three makes the light's matrices of position, quaternion and scale alone. */
+/** Whether three composes the light's matrices from position, quaternion and scale alone. */
 function composes(light: PointLight & { pivot?: unknown }): boolean {
   return (
     light.matrixAutoUpdate &&
@@ -70,8 +70,8 @@ function composes(light: PointLight & { pivot?: unknown }): boolean {
 }
 
 /**
- * Whether quaternion and scale are those that the matrices were last composed of. A host that wrote to matrices which three
- * composes shows by element 10, beside the place in memory; a rotation about z written there does not, and nothing is lit by it.
+ * Whether quaternion and scale are those of the last composition. If a host wrote to the composed matrices, element 10, in the
+ * position's cache line, has changed, except for a rotation about z, which does not change a point light.
  */
 function isTurnedAs({ quaternion, scale }: PointLight, poses: Float64Array, at: number, local: number, world: number) {
   return (
@@ -94,8 +94,8 @@ function keepPose({ quaternion, scale, matrix }: PointLight, poses: Float64Array
   poses[at + 7] = matrix.elements[10];
 }
 
-// Lights lie scattered in memory. Reads without work between them wait for it together; those of code that works light
-// after light wait one after the other.
+// Lights are scattered in memory. Reads one after another, without work between them, overlap their cache misses; code
+// that works on each light in turn waits for each miss.
 
 function fetchPlaces(objects: readonly Object3D[], first: number): number {
   if (objects.length < FETCHED_FROM) return objects.length;
@@ -105,7 +105,7 @@ function fetchPlaces(objects: readonly Object3D[], first: number): number {
     const light = objects[i];
     if (!isLocal(light)) continue;
     const { position, quaternion, scale, matrix, matrixWorld, layers, children } = light;
-    // a vector's numbers are objects of their own, a matrix's lie in three lines of the cache
+    // engines may box each number of a vector; a matrix's elements span three cache lines
     sum += position.x + position.z + quaternion.x + quaternion.w + scale.x + scale.z;
     sum += matrix.elements[12] + matrixWorld.elements[12] + layers.mask + children.length;
     const { color, intensity, distance, decay, userData } = light;

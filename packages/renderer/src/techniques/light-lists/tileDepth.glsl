@@ -1,22 +1,22 @@
-// Nearest and farthest distance of the surfaces in each tile, bits of the 32 slices between them that hold any, and the
-// largest gap.
-// Harada 2012, A 2.5D Culling for Forward+
+// Nearest and farthest distance of the surfaces in each tile, bits of the occupied slices among 32 between these, and
+// the largest gap. Harada 2012, A 2.5D Culling for Forward+
 #include "lightTiles"
 #include "unproject"
 uniform highp usampler2D farol_blocks;
 uniform vec2 farol_size;
-// x, y: float bits of nearest and farthest (m); z: slices; w: 1 if a pixel is empty, and the gap: farol_tileGap
+// x, y: float bits of nearest and farthest distance (m); z: slice bits; w: bit 0 if a pixel is empty, and
+// farol_packGap
 layout(location = 0) out highp uvec4 farol_tileDepthOut;
 
-// depth: from farol_blocks, negative if reversed; steps: rounding steps added to it
+// distance (m) of a depth from farol_blocks, negative if reversed; steps: rounding steps added to the depth
 float farol_viewDistance(const in float depth, const in float steps) {
   if (farol_depthMode.x > 0.0) return -farol_viewZ(-depth);
   float distanceVS = -farol_viewZ(farol_depthMode.y > 0.0 ? depth : min(depth + steps * 6e-8, 1.0));
-  // 1e15: too far for depth to tell
+  // 1e15: too far for the precision of depth
   return distanceVS < 1e15 && (distanceVS > 0.0 || farol_perspective == 0.0) ? distanceVS : 1e15;
 }
 
-// distances (m) of the surfaces of a block: from x to y, and from z to w
+// distances (m) of a block's surfaces before (x to y) and behind (z to w) its gap
 vec4 farol_blockRuns(const in uvec4 block) {
   vec2 depths = uintBitsToFloat(block.xy);
   float to = farol_viewDistance(depths.y, 4.0);

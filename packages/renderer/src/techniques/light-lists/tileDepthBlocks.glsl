@@ -1,10 +1,10 @@
-// Nearest and farthest depth in each block of 4 × 4 pixels and the gap at an edge, the first step to a tile's depths.
+// Nearest and farthest depth in each block of 4 × 4 pixels and the gap between them; tileDepth.glsl reads them.
 // Farol
 #include "depthMode"
 uniform highp sampler2D farol_sceneDepth;
 uniform vec2 farol_size;
-// bits of nearest and farthest depth, reversed depth negative; farthest -2 where nothing is; 1 where a pixel is empty;
-// between nearest and farthest, as parts of 65,535: where no pixel is, from (low half) and to (high half)
+// x, y: float bits of nearest and farthest depth, negated if reversed, farthest -2 in an empty block; z: 1 if a pixel
+// is empty; w: gap without pixels, start (low 16 bits) and end (high), in 65,535ths between nearest and farthest
 layout(location = 0) out highp uvec4 farol_block;
 //# main
 ivec2 first = ivec2(gl_FragCoord.xy) * 4;
@@ -24,10 +24,10 @@ for (int y = first.y; y < last.y; y++) {
     }
   }
 }
-// none: from the end to the beginning
+// no gap: starts at the end, ends at the start
 uint gap = 65535u;
-// a block over an edge has depths at both ends: the farthest of the near half and the nearest of the far half; flat
-// blocks, of a fiftieth of their distance in perspective, are not searched
+// a block across an edge has a gap between the farthest pixel of its near half and the nearest of its far half;
+// blocks whose depth range is within a fiftieth of their distance (perspective) are not searched
 if (farthest - nearest > 0.02 * (farol_depthMode.x > 0.0 ? -farthest : 1.0 - farthest)) {
   float middle = 0.5 * (nearest + farthest);
   vec2 ends = vec2(nearest, farthest);
@@ -41,7 +41,7 @@ if (farthest - nearest > 0.02 * (farol_depthMode.x > 0.0 ? -farthest : 1.0 - far
       }
     }
   }
-  // the stored gap is at least one step narrower, so that rounding never widens it
+  // stored one step narrower, so that rounding never widens the gap
   vec2 parts = (ends - nearest) * (65535.0 / max(farthest - nearest, 1e-30));
   uvec2 narrowed = uvec2(clamp(vec2(ceil(parts.x) + 1.0, floor(parts.y) - 1.0), 0.0, 65535.0));
   gap = narrowed.x | narrowed.y << 16;

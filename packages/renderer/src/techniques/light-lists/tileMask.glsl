@@ -1,6 +1,6 @@
-// Bits of 128 lights that touch one tile: the sphere of a light's range (and its cone) against the tile's frustum, and
-// the boxes and slices of the depths in the tile where these are known: a box before the largest gap in depth and one
-// behind it. FAROL_COARSE: all lights against blocks of 4 × 4 tiles, which the fine tiles follow.
+// Bits of 128 lights that touch one tile: tests a light's range (and cone) against the tile's frustum, and with
+// FAROL_DEPTH against the tile's depths: boxes before and behind the largest gap, and slices. FAROL_COARSE: tests all
+// lights against blocks of 4 × 4 tiles; tiles then test those that passed.
 // Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+; Wronski 2017, Cull that cone
 #include "lightTiles"
 #include "lightTable"
@@ -8,23 +8,23 @@
 uniform highp usampler2D farol_coarseMask;
 uniform highp usampler2D farol_tileDepth;
 uniform vec2 farol_size;
-// distance (m) from which on depth is that of empty pixels; -1e30: depth gives no distances
+// distance (m) from which on depth cannot be told from an empty pixel's; -1e30: depth gives no distances
 uniform highp float farol_beyond;
-uniform highp float farol_plainReach; // part of its range in which a plain point light is listed
+uniform highp float farol_plainReach; // share of its range within which a plain point light is listed
 layout(location = 0) out highp uvec4 farol_mask;
 
 struct FarolTile {
   vec4 slopes; // xy: low sides, zw: high sides of the tile at distance 1 m (orthographic: at any distance)
-  vec4 scales; // one over the length of each side's normal
+  vec4 scales; // 1 / length of each side's normal
   vec2 range; // nearest and farthest distance (m)
-  // corners low and high of the boxes round the surfaces before and behind the gap (view space, m)
+  // low and high corners of the boxes around the surfaces before and behind the gap (view space, m)
   vec3 low[2];
   vec3 high[2];
   uint slices;
-  float beyond; // distance (m) from which on surfaces may be missing in depth
+  float beyond; // distance (m) from which on depth may lack surfaces
 };
 
-// corners of the box round what a tile shows between two distances (m)
+// corners of the box around a tile's frustum between two distances (view space, m)
 void farol_boxOf(const in vec4 slopes, const in vec2 range, out vec3 low, out vec3 high) {
   vec2 at = mix(vec2(1.0), range, farol_perspective);
   vec4 nearSides = slopes * at.x;
@@ -51,7 +51,7 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
   t.beyond = 1e38;
 #ifdef FAROL_DEPTH
   uvec4 depths = texelFetch(farol_tileDepth, tile, 0);
-  // widened, since positions are rounded
+  // widened by the rounding of positions
   t.range = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
   vec2 ends = uintBitsToFloat(depths.xy);
   vec2 gap = ends.x + farol_unpackGap(depths.w) * (ends.y - ends.x);
@@ -81,7 +81,7 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   int last = int(clamp(slices.y, 0.0, 31.0));
   if ((tile.slices & farol_bitsFrom(0, max(first - 1, 0), min(last + 1, 31))) == 0u) return false;
 #endif
-  // a cone against the sphere round the box; plain quads have none
+  // tests a cone against the sphere around both boxes; plain point lights have no cone
   if (light >= farol_tileRun.w << 7 && !farol_lightIsPlain(farol_tileRun.x + light)) {
     vec4 cone = farol_lightCone(farol_tileRun.x + light);
     if (farol_lightIsCone(cone)) {
@@ -103,7 +103,7 @@ uint farol_touching(const in FarolTile tile, const in uint candidates, const in 
   uint touching = 0u;
   for (uint bits = candidates; bits != 0u; bits &= bits - 1u) {
     int bit = farol_lowestBit(bits);
-    // two lights a step, so that their reads overlap
+    // two lights in each step, so that their texture reads overlap
     bits &= bits - 1u;
     int other = bits == 0u ? bit : farol_lowestBit(bits);
     vec4 sphere = farol_lightSphere(farol_tileRun.x + start + bit);

@@ -1,4 +1,4 @@
-// Lights a pixel of the G-buffer by its light list and writes the picture with its depth, in one pass.
+// Shades a pixel of the G-buffer by its tile's light list and writes the picture with depth, in one pass.
 // Andersson 2009, Parallel Graphics in Frostbite; Lauritzen 2010, Deferred Rendering for Current and Future Pipelines
 #include "shadeSurface"
 #include "output"

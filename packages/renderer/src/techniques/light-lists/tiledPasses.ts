@@ -18,17 +18,17 @@ export function tiledForwardPasses(): Pass[] {
   return [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'])];
 }
 
-/** 'forward-plus': a depth pre-pass, light lists by tile, then the materials. */
+/** The passes of 'forward-plus': a depth pre-pass, light lists by tile, then the materials. */
 export function forwardPlusPasses(): Pass[] {
   return [
     new DepthPrepass(),
     new LightTilesPass('slices'),
-    // lists are made for opaque surfaces: transparent ones before them loop over all lights
+    // lists are culled by opaque depths: transparent surfaces in front loop over all lights
     ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopAll'),
   ];
 }
 
-/** 'tiled-deferred': a G-buffer, light lists by tile, a pass that lights the pixels, then forward materials. */
+/** The passes of 'tiled-deferred': a G-buffer, light lists by tile, one lighting pass, then forward materials. */
 export function tiledDeferredPasses(): Pass[] {
   return [new GBufferPass(), new LightTilesPass('slices'), new TiledOutputPass(), ...forwardTail('lightLoopAll')];
 }

@@ -15,11 +15,11 @@ import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { PassMaterial } from '../../gpu/PassMaterial';
 
-/** 12 segments, 8 rings, 6 vertices a quad, as lightVolumeSphere.glsl has them. */
+/** Number of vertices in lightVolumeSphere.glsl: 12 segments × 8 rings × 6 vertices a quad. */
 const SPHERE_VERTICES = 576;
-/** An icosahedron, as lightVolumeField.glsl has it. */
+/** Number of vertices in lightVolumeField.glsl: an icosahedron of 20 triangles. */
 const FIELD_VERTICES = 60;
-/** 12 segments of a side and a cap, 3 vertices each. */
+/** Number of vertices in lightVolumeCone.glsl: 12 segments of a side and a cap, 3 vertices each. */
 const CONE_VERTICES = 72;
 
 const ADDITIVE = {
@@ -28,16 +28,14 @@ const ADDITIVE = {
   blendSrc: OneFactor,
   blendDst: OneFactor,
 } as const;
-/**
- * Shared by all renderers of the page, as the triangle of FullscreenMesh is; `instanceCount` is set before each draw.
- */
+/** Geometries shared by all renderers of the page; `instanceCount` is set before each draw. */
 const sphereGeometry = /* @__PURE__ */ vertexless(SPHERE_VERTICES);
 const coneGeometry = /* @__PURE__ */ vertexless(CONE_VERTICES);
 const fieldGeometry = /* @__PURE__ */ vertexless(FIELD_VERTICES);
 
 /**
- * State that draws back faces behind the surface: correct also with the camera inside a volume; volumes before the
- * surface shade nothing.
+ * Render state that draws a volume's back faces where they lie behind the surface: works with the camera inside the volume, and
+ * skips volumes in front of the surface.
  */
 const VOLUME = { ...ADDITIVE, side: BackSide, depthTest: true, depthFunc: GreaterEqualDepth } as const;
 
@@ -45,15 +43,15 @@ interface Materials {
   readonly global: FullscreenPass;
   readonly sphere: PassMaterial;
   readonly cone: PassMaterial;
-  /** Material for lights of fields; null until some are drawn. */
+  /** Material for lights of light fields; null until needed. */
   field: PassMaterial | null;
   readonly makeField: () => PassMaterial;
 }
 
 /**
- * Draws each light over the pixels of its volume, added to what the bound target holds: a triangle over the whole picture
- * for directional and unbounded lights, instanced spheres for point lights, cones for spot lights. The target's depth is
- * to be the scene's; the lights are to be ordered 'by-volume'.
+ * Draws each light over the pixels of its volume, added to what the bound target holds: a triangle over the whole picture for
+ * directional and unbounded lights, instanced spheres for point lights, cones for spot lights. Needs the scene's depth in the
+ * target, and the light order 'by-volume'.
  * @see Hargreaves and Harris 2004, Deferred Shading
  */
 export class LightVolumeDraws {
@@ -65,10 +63,10 @@ export class LightVolumeDraws {
   private counting: Materials | null = null;
 
   /**
-   * @param label - begins the names of the programs, with a space at its end
-   * @param target - microshader that reads the surface of a pixel, lights it and writes it, by a FarolPixel and the functions
-   *   that volumeLighting.glsl has
-   * @param uniforms - of that microshader
+   * @param label - prefix of the programs' names, with a space at its end
+   * @param target - microshader that reads a pixel's surface, lights it and writes the result: defines FarolPixel and the
+   *   functions of volumeLighting.glsl
+   * @param uniforms - uniforms of that microshader
    */
   constructor(
     private readonly label: string,
@@ -76,16 +74,16 @@ export class LightVolumeDraws {
     private readonly uniforms: Record<string, IUniform>,
   ) {}
 
-  /** Draws all lights of the frame; in count views adds 1 for each light instead. */
+  /** Draws all lights of the frame; in heat-map views adds 1 for each light instead. */
   draw(frame: Frame): void {
     const { lights } = frame;
     const materials = isCountView(frame.view)
       ? (this.counting ??= this.make(frame, true))
       : (this.shading ??= this.make(frame, false));
-    // volumes are drawn with linear depth: where depths are logarithmic or too coarse, the range alone limits the light
+    // volumes have linear depth: where the scene's depth is logarithmic or too coarse, only the range limits the light
     const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance;
     materials.sphere.depthTest = materials.cone.depthTest = depthTest;
-    // a projection that mirrors turns faces round
+    // a mirroring projection swaps front and back faces
     const { elements: p } = frame.camera.projectionMatrix;
     const side = p[0] * p[5] < 0 ? FrontSide : BackSide;
     materials.sphere.side = materials.cone.side = side;
@@ -151,7 +149,7 @@ export class LightVolumeDraws {
       field: null,
       makeField: () => volume('lights of fields', 'lightVolumeField'),
     };
-    // compiled ahead, so that the first light of a kind need not wait for its program
+    // compiled ahead, so that the first light of each kind does not wait for its program
     materials.global.compile(frame);
     frame.compileMesh(this.spheres, materials.sphere);
     frame.compileMesh(this.cones, materials.cone);

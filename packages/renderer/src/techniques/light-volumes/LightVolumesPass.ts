@@ -5,12 +5,12 @@ import { PassTarget } from '../../gpu/PassTarget';
 import { LightVolumeDraws } from './LightVolumeDraws';
 import type { Pass } from '../../frame/Pass';
 
-/** Adds up the light of every pixel of the G-buffer, each light over the pixels of its volume. */
+/** Adds up the light at every pixel of the G-buffer, each light over the pixels of its volume. */
 export class LightVolumesPass implements Pass {
   readonly name = 'light volumes';
   readonly reads = ['gbuffer'] as const;
   readonly writes = ['lighting'] as const;
-  /** Target of the sums, with a copy of the scene's depth, since the depth texture is read meanwhile. */
+  /** Target of the sums, with a copy of the scene's depth, since shaders read the original. */
   private readonly target = new PassTarget({ type: HalfFloatType, depthTexture: true });
   private readonly uniforms = gbufferUniforms();
   private readonly volumes = new LightVolumeDraws('', 'volumeLighting', { ...this.uniforms });

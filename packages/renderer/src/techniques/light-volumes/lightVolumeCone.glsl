@@ -3,7 +3,7 @@
 #include "lightTable"
 #include "lightVolumeWide"
 uniform highp int farol_firstRecord;
-uniform highp vec4 farol_fit; // from picture to buffer, normalised device coordinates: xy scale, zw shift
+uniform highp vec4 farol_fit; // from the picture's normalised device coordinates to the buffer's: xy scale, zw shift
 flat out highp int farol_record;
 //# main
 const int SEGMENTS = 12;
@@ -16,7 +16,7 @@ vec3 axis = -farol_lightAxis(cone);
 float cutoff = farol_lightCutoff(cone);
 vec3 side = normalize(abs(axis.y) < 0.9 ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(1.0, 0.0, 0.0)));
 vec3 up = cross(axis, side);
-// 1.04: the flat faces stay outside the cone
+// 1.04 keeps the flat faces outside the cone
 float radius = range * 1.04 * sqrt(1.0 - cutoff * cutoff) / cutoff;
 int triangle = gl_VertexID / 3;
 int corner = gl_VertexID - triangle * 3;

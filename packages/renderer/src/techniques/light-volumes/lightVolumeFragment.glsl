@@ -1,4 +1,4 @@
-// One light over the pixels of its volume, added up; the chunk before (volumeLighting) lights a pixel.
+// Adds one light to the pixels of its volume; the chunk before (such as volumeLighting) shades a pixel.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "lightTable"
 #include "unproject"
@@ -15,7 +15,7 @@ vec3 toLight = farol_lightPosition(sphere) - farol_pixelPosition(pixel, depth);
 float range = farol_lightRange(sphere);
 if (dot(toLight, toLight) >= range * range) discard;
 FarolPixel lit = farol_beginPixel(pixel, depth);
-// a plain point light gives nothing to a surface that faces away: neither shading nor blending
+// a plain point light does not light surfaces that face away: saves shading and blending
 if (farol_lightIsPlain(farol_record) && !(dot(farol_pixelNormal(lit), toLight) > 0.0)) discard;
 farol_addToPixel(lit, farol_record);
 farol_endPixel(lit, pixel);

@@ -3,7 +3,7 @@
 #include "lightTable"
 #include "lightVolumeWide"
 uniform highp int farol_firstRecord;
-uniform highp vec4 farol_fit; // from picture to buffer, normalised device coordinates: xy scale, zw shift
+uniform highp vec4 farol_fit; // from the picture's normalised device coordinates to the buffer's: xy scale, zw shift
 flat out highp int farol_record;
 //# main
 const int SEGMENTS = 12;
@@ -16,7 +16,7 @@ float east = float(quad - quad / SEGMENTS * SEGMENTS) + (corner == 1 || corner =
 float south = float(quad / SEGMENTS) + (corner == 2 || corner == 4 || corner == 5 ? 1.0 : 0.0);
 float longitude = east * 6.28318531 / float(SEGMENTS);
 float latitude = south * 3.14159265 / float(RINGS);
-// 1.06: the flat faces stay outside the sphere
+// 1.06 keeps the flat faces outside the sphere
 vec3 offset = farol_lightRange(sphere) * 1.06
   * vec3(sin(latitude) * cos(longitude), cos(latitude), sin(latitude) * sin(longitude));
 if (farol_isTooWide(sphere)) {

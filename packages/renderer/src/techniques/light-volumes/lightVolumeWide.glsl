@@ -1,4 +1,4 @@
-// Light volumes that are too wide to be clipped in 32-bit floats, or reach beyond the far plane.
+// Light volumes that are too wide to clip in 32-bit floats, or that extend beyond the far plane.
 // Farol
 #include "depthMode"
 uniform highp mat4 projectionMatrix;
@@ -11,8 +11,9 @@ bool farol_isTooWide(const in vec4 sphere) {
   return sphere.w > 1e5 * near && -sphere.z - sphere.w * 1.1 < near;
 }
 
-// clip-space z of a vertex: all vertices of a volume that reaches beyond the far plane lie on that plane, else depths
-// between vertices would be too near; those behind the camera lie next to it, so that edges still meet the near plane
+// clip-space z of a vertex: a volume that extends beyond the far plane has all vertices on it, else interpolated
+// depths would be too near; vertices behind the camera are placed next to it, so that edges still cross the near
+// plane
 float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
   vec4 end = projectionMatrix * vec4(sphere.xy, sphere.z - sphere.w * 1.1, 1.0);
   bool beyond = farol_depthMode.x > 0.0 ? end.z < 0.0 : end.z > end.w;
@@ -25,6 +26,6 @@ float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
 vec4 farol_wholePicture() {
   if (gl_VertexID > 2) return vec4(0.0, 0.0, 0.0, 1.0);
   vec2 corner = vec2(gl_VertexID == 2 ? 3.0 : -1.0, gl_VertexID == 1 ? 3.0 : -1.0);
-  if (projectionMatrix[0][0] * projectionMatrix[1][1] < 0.0) corner = corner.yx; // mirrored projection
+  if (projectionMatrix[0][0] * projectionMatrix[1][1] < 0.0) corner = corner.yx; // mirrored: turns it back
   return vec4(corner, farol_depthMode.x > 0.0 ? 0.0 : 1.0, 1.0);
 }

@@ -1,4 +1,4 @@
-// Light volumes over the G-buffer: a pixel's surface, lit, into the lighting buffer.
+// Light volumes over the G-buffer: reads a pixel's surface, lights it, writes to the lighting buffer.
 // Hargreaves and Harris 2004, Deferred Shading; thesis 3.2.3.2
 #include "shadeSurface"
 uniform vec2 farol_size;

@@ -40,7 +40,7 @@ export class AccumulatedOutputPass extends OutputPass<ReturnType<typeof accumula
       material.fog = !hasFog;
       material.needsUpdate = true;
     }
-    // at an edge, samples of earlier draws show through
+    // at multisampled edges, samples of earlier draws show through
     material.blending = frame.samples > 0 ? CustomBlending : NoBlending;
   }
 }

@@ -33,14 +33,13 @@ const scissor = new Vector4();
 const centre = new Vector3();
 const NO_MARK = new Int32Array(1);
 const { onBeforeRender } = Object3D.prototype;
-/** Smallest share of the picture covered by a light with a range that is drawn with ambient light, over all objects. */
+/** Share of the picture from which on a light with a range is drawn together with ambient light, over all objects. */
 const FIRST_SHARE = 0.25;
 
 /**
- * Multipass lighting: ambient, environment and emissive once, together with one light that lights much of the picture;
- * then each other light added by a draw of its own over the objects that its range reaches, inside the rectangle that
- * its volume covers on screen. Sums in 32-bit floats where the device blends them (EXT_float_blend) and the host's
- * target has one sample; else in half floats.
+ * Multipass lighting: a first pass draws ambient, environment and emissive light with one large light; then each other light is
+ * added by its own draw of the objects in its range, inside its volume's rectangle on screen. Sums are 32-bit floats where the
+ * device blends them (EXT_float_blend) and the host's target has one sample; else half floats.
  * @see thesis 2.2.1.3 and 3.2.3.1
  */
 export class MultipassLightsPass implements Pass {
@@ -50,7 +49,7 @@ export class MultipassLightsPass implements Pass {
   readonly writes = ['accumulated-light'] as const;
   private target: WebGLRenderTarget | null = null;
   private fogged = true;
-  /** Resource `accumulated-light`; made anew with its target, and when fog is applied in another pass. */
+  /** Resource `accumulated-light`; a new object when its target or `hasFog` changes. */
   private result: AccumulatedLight | null = null;
   private readonly items: RenderItem[] = [];
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
@@ -66,7 +65,7 @@ export class MultipassLightsPass implements Pass {
   render(frame: Frame): void {
     this.fogged = frame.target !== null && !isDrawnAsCanvas(frame.target);
     this.items.length = 0;
-    // value of an enclosing frame, when a callback draws this one
+    // an enclosing frame's value, if a callback draws this frame
     const mark = lightMark.value;
     try {
       this.prepareTarget(frame);
@@ -93,10 +92,10 @@ export class MultipassLightsPass implements Pass {
     const { opaque } = frame.queue;
     const first = this.firstLight(frame);
     frame.uniforms.farol_lightIndex.value = first;
-    // by index: an iterator allocates until the loop is compiled
+    // by index: an iterator would allocate until the engine compiles the loop
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
-      // segments of a line meet at one depth with unlike normals: the last would have ambient light, the first the others
+      // not for lines: where segments meet, one would show ambient light and another the added lights
       if (item.route !== 'split' || 'isLine' in item.object || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
@@ -119,8 +118,8 @@ export class MultipassLightsPass implements Pass {
   }
 
   /**
-   * Record of the light that is drawn together with ambient light: one that reaches everything, else the one with the largest
-   * rectangle on screen, unless that is small; -1 for none.
+   * Record of the light that is drawn together with ambient light: one without a range, else the one with the largest rectangle
+   * on screen; -1 if that is below `FIRST_SHARE`.
    */
   private firstLight(frame: Frame): number {
     const { lights, view } = frame;
@@ -136,26 +135,26 @@ export class MultipassLightsPass implements Pass {
     return first;
   }
 
-  /** Adds the lights of all light fields in one draw, each pixel those of its tile: fields have thousands of lights. */
+  /** Adds the lights of all light fields in one draw, in which each pixel loops over its tile's list: they are thousands. */
   private drawFields(frame: Frame, fields: FieldDraws): void {
     fields.makeFieldTiles(frame);
     frame.bind(this.target!);
     if (lightMark.value === 255) this.unmark(frame);
     else lightMark.value++;
     const kind = fieldTwin(frame.view, this.fogged);
-    // tiles begin at the corner of the pass's target, not of the host's viewport
+    // tiles begin at the corner of this pass's target, not at the host's viewport
     const offset = frame.uniforms.farol_offset.value;
     offset.set(0, 0);
     for (let i = this.items.length - 1; i >= 0; i--) frame.drawTwin(this.items[i], kind);
     offset.set(frame.viewport.x, frame.viewport.y);
   }
 
-  /** True for a material that three would tone map, fog and dither as the output pass does all pixels. */
+  /** Whether three would tone map, fog and dither the material as the output pass does all pixels. */
   private sums(material: Material, frame: Frame): boolean {
     if (frame.hasMedia && (material as Material & { fog?: boolean }).fog === false) return false;
     if (this.fogged) return true;
     if (material.dithering) return false;
-    // the output pass fogs by depth, which is too coarse here
+    // the output pass computes fog from depth, which is too coarse here
     if (frame.storesDistance && frame.scene.fog) return false;
     if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
     return (material as Material & { fog?: boolean }).fog !== false || !frame.scene.fog;
@@ -175,7 +174,7 @@ export class MultipassLightsPass implements Pass {
     fitTarget(this.target, width, height);
     frame.bind(this.target);
     frame.clear(1, false);
-    // at once: by itself either costs a pass over the other
+    // clears both at once: clearing one of depth and stencil must preserve the other, which is slow
     lightMark.value = 1;
     unmaskDepth(frame.webgl);
     unmaskStencil(frame.webgl);
@@ -189,7 +188,7 @@ export class MultipassLightsPass implements Pass {
     frame.gl.clearBufferiv(frame.gl.STENCIL, 0, NO_MARK);
   }
 
-  /** Draws new objects with the additive twin over no pixels, so that the first light to reach one compiles nothing. */
+  /** Draws new objects with the additive twin and an empty scissor, so that the first light on an object compiles nothing. */
   private compile(frame: Frame): void {
     const { webgl } = frame;
     let scissored = false;
@@ -197,7 +196,7 @@ export class MultipassLightsPass implements Pass {
       const item = this.items[i];
       if (this.compiled.get(item.object) === item.material) continue;
       this.compiled.set(item.object, item.material);
-      // a target that the host's code sets takes the scissor away, and the light would be added once more
+      // not where a host's callback may change the target and so the scissor: the light would be added twice
       if (item.object.onBeforeRender !== onBeforeRender) continue;
       if (!scissored) {
         setScissor(webgl, scissor.set(0, 0, 0, 0));
@@ -225,7 +224,7 @@ export class MultipassLightsPass implements Pass {
     let drawn = false;
     const { items, spheres: itemSpheres } = this;
     const b = bounded * 4;
-    // last object first: of surfaces at one depth the last shows, and the light's mark keeps it from the others
+    // last object first: of several surfaces at one depth the last is visible, and the mark keeps the light off the others
     for (let i = items.length - 1; i >= 0; i--) {
       if (bounded >= 0 && itemSpheres[i * 4 + 3] !== Infinity) {
         const { spheres, cones } = lights;
@@ -240,7 +239,7 @@ export class MultipassLightsPass implements Pass {
       frame.drawTwin(items[i], kind);
       drawn = true;
     }
-    // without a draw, the last drawn twin is still the other one
+    // only after a draw: the next light's twin must differ from the one drawn last
     if (drawn) this.turn();
   }
 

@@ -1,4 +1,4 @@
-// Writes the sum of the passes of multipass lighting, and its depth, to pixels that they drew to (alpha above 0).
+// Writes the sum and depth of multipass lighting to the pixels that its passes drew (alpha above 0).
 // Farol
 #include "output"
 #include "unproject"

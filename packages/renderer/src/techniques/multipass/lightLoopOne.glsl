@@ -1,4 +1,4 @@
-// Light loop of one light, farol_lightIndex: a pass of multipass lighting; below 0 there is none.
+// Light loop of multipass lighting: only the light farol_lightIndex, or none if below 0.
 // Thesis 2.2.1.3, multipass lighting
 #include "incidentLight"
 uniform highp int farol_lightIndex;

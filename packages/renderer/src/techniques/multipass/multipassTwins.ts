@@ -17,7 +17,7 @@ import type { TwinKind } from '../../materials/TwinKind';
 
 const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
 
-/** Dithers by the pixel of the host's target, as three does. */
+/** Dithers by the pixel's position in the host's target, as three does. */
 function ditheredInTarget(text: string): string {
   if (findChunk(text, 'dithering_pars_fragment') === null) return text;
   const dithering = ShaderChunk.dithering_pars_fragment.replace('gl_FragCoord.xy', 'farol_targetPixel()');
@@ -41,7 +41,7 @@ export function baseTwin(view: View, fogged: boolean): TwinKind {
   return view === 'final' || view === 'grid' ? (fogged ? base : baseUnfogged) : baseDark;
 }
 
-/** Stencil value of the light being drawn, 1 to 255: of several surfaces at one depth, the light is added to one. */
+/** Stencil value of the light being drawn, 1 to 255, so that it is added to one of several surfaces at one depth. */
 export const lightMark = { value: 1 };
 
 const ADDITIVE = {
@@ -66,7 +66,7 @@ const ADDITIVE = {
   },
 } as const;
 
-/** An environment map that is mixed in is affine in the light: a light's own pass takes only the linear part. */
+/** With MixOperation the environment map is added to scaled light; a light's own pass must only scale. */
 const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) && defined( ENVMAP_BLENDING_MIX )
   outgoingLight *= 1.0 - specularStrength * reflectivity;
 #elif !defined( USE_ENVMAP ) || !defined( ENVMAP_BLENDING_ADD )
@@ -74,10 +74,10 @@ const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) &&
 #endif`;
 
 function onlyThisLight(text: string): string {
-  // fog fades this light's part; the colour of the fog came with the base pass
+  // fog only fades this light; the base pass has added the fog's colour
   const fog = replacePart(ShaderChunk.fog_fragment, 'fogColor', 'vec3(0.0)');
   let own = replaceChunk(text, 'lights_fragment_end', () => 'totalEmissiveRadiance = vec3(0.0);');
-  // toon has none
+  // MeshToonMaterial has no environment map
   if (own.includes('#include <envmap_fragment>')) own = replaceChunk(own, 'envmap_fragment', () => ENVIRONMENT);
   own = replaceChunk(own, 'fog_fragment', () => fog);
   return `#define OPAQUE\n${replaceChunk(own, 'dithering_fragment', () => '')}`;
@@ -85,7 +85,7 @@ function onlyThisLight(text: string): string {
 
 const additive = (count: boolean, fogged = true, loop: LightLoop = 'lightLoopOne') =>
   litTwin({
-    // slots share one program; the change of slot makes three send the light's index
+    // both slots share one program; changing the slot makes three upload the light's index
     key: `${count ? 'additive-count' : 'additive'}-${loop}`,
     loop,
     withThreeLights: false,
@@ -110,8 +110,8 @@ export function fieldTwin(view: View, fogged: boolean): TwinKind {
 }
 
 /**
- * Returns the twin that adds one light to earlier draws. Two kinds of one program, to be used in turns light by light:
- * three sends a material's uniforms only when the material changes.
+ * Returns the twin that adds one light to earlier draws. Two kinds share one program, and lights alternate between them: three
+ * uploads a material's uniforms only when the material changes.
  * @param fogged - false leaves fog to the output
  */
 export function additiveTwin(view: View, slot: 0 | 1, fogged: boolean): TwinKind {

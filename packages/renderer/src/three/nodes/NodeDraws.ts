@@ -5,7 +5,7 @@ import type { RenderListItem } from '../RenderListItem';
 import { type RenderList, type RenderLists, renderListsOf } from '../RenderList';
 import { standInOf } from '../standInOf';
 
-/** A draw of a frame's, as far as it matters here. */
+/** Properties of a frame's draw that are read here. */
 interface NodeItem extends RenderListItem {
   /** Shading of the item: 'nodes' for items with node materials. */
   readonly shading: string;
@@ -22,19 +22,19 @@ interface DrawnFrame {
   readonly queue: { readonly opaque: readonly NodeItem[] };
 }
 
-/** Stand-in for a host's scene, with the render list that three fills for it. */
+/** Stand-in for a host's scene, and its render list, which three fills. */
 interface NodeView {
   readonly view: Object3D;
   readonly list: RenderList;
-  /** Lists that `list` is from; replaced when a lost context is restored. */
+  /** three's render lists, among them `list`; replaced when a lost context is restored. */
   readonly lists: RenderLists;
 }
 
 const NOTHING = () => undefined;
 
 /**
- * Draws what has a node material (TSL) by three's own `render` inside the frame, with three's lights and shadow maps: three
- * alone tells its nodes handler of objects and lights. All else of the scene is kept out of three's lists.
+ * Draws items with node materials (TSL) by three's own `render` inside the frame, with three's lights and shadow maps, since
+ * only that passes objects and lights to the nodes handler. Other objects are kept out of three's lists.
  */
 export class NodeDraws {
   private readonly views = new WeakMap<Object3D, NodeView>();
@@ -49,7 +49,7 @@ export class NodeDraws {
     this.hasMaps = false;
   }
 
-  /** Draws an item into the bound target; with the first plain opaque one all of them, marked as drawn. */
+  /** Draws an item into the bound target; the first plain opaque one draws all of them, and marks them as drawn. */
   draw({ webgl, scene, camera, queue }: DrawnFrame, item: NodeItem): void {
     this.current = this.viewOf(webgl, scene);
     const plain = item.route === 'plain';

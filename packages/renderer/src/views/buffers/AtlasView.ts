@@ -8,7 +8,7 @@ import type { BufferView, ShownView } from './BufferView';
 import { Panels } from './Panels';
 import { problems } from './problems';
 
-/** Names of tiles by what they hold. */
+/** Labels of tiles, by kind. */
 const TILES: Record<AtlasTile['kind'], { readonly label: string }> = {
   map: { label: 'Shadow map, {near} to {far} m' },
   face: { label: 'Shadow map, face {number} of {count}, {near} to {far} m' },
@@ -22,7 +22,7 @@ const NOTHING = 0;
 const DEPTHS = 1;
 const COLOURS = 2;
 
-/** Shows the atlas of shadow maps, or of images and profiles of lights, as they lie in it; a square in the middle. */
+/** Shows the atlas of shadow maps, or of images and profiles of lights, as a square in the middle. */
 export class AtlasView implements BufferView {
   private readonly panels = new Panels();
   private readonly pass = new FullscreenPass({

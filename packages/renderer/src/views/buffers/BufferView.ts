@@ -2,7 +2,7 @@ import type { Frame } from '../../frame/Frame';
 import type { ViewInfo } from '../../frame/ViewInfo';
 import type { View } from '../../frame/views';
 
-/** A view of a buffer that an effect, a technique or lights make. */
+/** A view of a buffer of an effect, a technique or lights. */
 export interface BufferView {
   /**
    * Draws the buffer over the frame's viewport, and fills `info`.
@@ -12,7 +12,7 @@ export interface BufferView {
   dispose(): void;
 }
 
-/** A `ViewInfo` as views write it. */
+/** Writable `ViewInfo`, filled by views. */
 export interface ShownView extends ViewInfo {
   view: View;
   fullMotion: number;

@@ -14,7 +14,7 @@ import { problems } from './problems';
 
 const NO_TILES: ShownView['tiles'] = [];
 
-/** The views that lie over the finished picture, each made when it is first shown. */
+/** The views drawn over the finished picture, each created when first shown. */
 export class BufferViews {
   private readonly made = new Map<View, BufferView>();
   private readonly info: ShownView = { view: 'final', problem: null, fullMotion: 0, tiles: NO_TILES };
@@ -22,7 +22,7 @@ export class BufferViews {
 
   constructor(private readonly surfaces: SurfaceViewPass) {}
 
-  /** Shows a view over the finished picture, or leaves that where the frame has no such buffer; warns once then. */
+  /** Draws a view over the finished picture, or nothing if the frame lacks its buffer, with one warning. */
   show(frame: Frame, name: View): ViewInfo {
     let view = this.made.get(name);
     if (view === undefined) this.made.set(name, (view = this.make(name)));
@@ -31,9 +31,9 @@ export class BufferViews {
     info.fullMotion = 0;
     info.tiles = NO_TILES;
     info.problem = view.show(frame, info);
-    // of more texels than the view, a frame budget would enlarge it
+    // else a frame budget would show the finer picture instead of the view
     if (info.problem === null) frame.finer = null;
-    // another technique or none of the effects may draw until their code is there
+    // no warning while code is loading: another technique, or no effect, may draw until then
     else if (!reported.has(info.problem) && Lazy.lacking!.size === 0) {
       reported.add(info.problem);
       console.warn(`Farol: the view '${name}' shows the final picture. ${info.problem}`);

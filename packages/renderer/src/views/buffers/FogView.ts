@@ -5,7 +5,7 @@ import type { SurfaceViewPass } from '../SurfaceViewPass';
 import type { BufferView } from './BufferView';
 import { problems } from './problems';
 
-/** Shows fog between the eye and each surface: the light that it adds, or the share of light that it lets through. */
+/** Shows fog between the eye and each surface: the light that it adds, or its transmittance. */
 export class FogView implements BufferView {
   private readonly pass = new FullscreenPass({
     program: 'fog view',
@@ -17,10 +17,7 @@ export class FogView implements BufferView {
     uniforms: { ...gbufferUniforms(), farol_view: { value: 0 } },
   });
 
-  /**
-   * @param surfaces - gives the depths
-   * @param view - `farol_view` of fogView.glsl
-   */
+  /** @param surfaces - pass that draws depths @param view - `farol_view` of fogView.glsl */
   constructor(
     private readonly surfaces: SurfaceViewPass,
     private readonly view: 0 | 1,

@@ -42,7 +42,7 @@ export class FroxelView implements BufferView {
       tile.count = slices;
       tile.near = buffer.depthOf(tile.number - 1);
       tile.far = buffer.depthOf(tile.number);
-      // beyond the last slice, texelFetch gives black
+      // beyond the last slice, texelFetch returns black
       pass.uniforms.farol_slice.value = i;
       pass.draw(frame);
     }

@@ -5,7 +5,7 @@ import type { BufferView, ShownView } from './BufferView';
 import { Panels } from './Panels';
 import { problems } from './problems';
 
-/** Sums of the light buffer, by `farol_sum` in lightBufferView.glsl. */
+/** Labels of the light buffer's sums, by `farol_sum` in lightBufferView.glsl. */
 const SUMS = [
   { label: 'Diffuse light' },
   { label: 'Specular light' },

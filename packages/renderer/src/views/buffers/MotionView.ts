@@ -29,7 +29,7 @@ export class MotionView implements BufferView {
     this.pass = this.uniforms = null;
   }
 
-  /** Makes the pass for the uniforms of one effect: another TAA has others. */
+  /** Makes the pass for the uniforms of one TAA effect. */
   private make(uniforms: Record<string, IUniform>): void {
     this.dispose();
     this.uniforms = uniforms;

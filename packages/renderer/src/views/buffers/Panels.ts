@@ -4,7 +4,7 @@ import type { ViewTile } from '../../frame/ViewInfo';
 import { setViewport } from '../../three/state';
 import type { ShownView } from './BufferView';
 
-/** Parts of a view, drawn one by one. Keeps its tiles from frame to frame. */
+/** Parts of a view, drawn one by one. Tiles are reused from frame to frame. */
 export class Panels {
   readonly tiles: ViewTile[] = [];
   /** Rectangle of the panel to draw (pixels of the target). */
@@ -16,7 +16,7 @@ export class Panels {
   }
 
   /**
-   * Adds a panel, and has the next draws cover it.
+   * Adds a panel, and sets the viewport of the next draws to it.
    * @param x - left edge, as a share of the viewport; y, width and height likewise, y from above
    */
   next(frame: Frame, x: number, y: number, width: number, height: number): ViewTile {
@@ -42,7 +42,7 @@ export class Panels {
     return tile;
   }
 
-  /** Sets the viewport back to the whole of it, and says which tiles were drawn. */
+  /** Restores the whole viewport, and lists the drawn tiles in `info`. */
   end({ webgl, viewport }: Frame, info: ShownView): void {
     setViewport(webgl, viewport);
     info.tiles = this.tiles;

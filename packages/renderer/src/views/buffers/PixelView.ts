@@ -3,7 +3,7 @@ import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import type { BufferView } from './BufferView';
 
-/** Shows the red of a buffer that has a texel for each pixel. */
+/** Shows the red channel of a buffer that has a texel for each pixel. */
 export class PixelView implements BufferView {
   private readonly pass = new FullscreenPass({
     program: 'pixel view',
@@ -13,7 +13,7 @@ export class PixelView implements BufferView {
     uniforms: { farol_buffer: { value: null as Texture | null }, farol_offset: { value: new Vector2() } },
   });
 
-  /** @param find - gives the buffer, or the sentence on what the frame lacks */
+  /** @param find - returns the buffer, or a sentence on what the frame lacks */
   constructor(private readonly find: (frame: Frame) => Texture | string) {}
 
   show(frame: Frame): string | null {

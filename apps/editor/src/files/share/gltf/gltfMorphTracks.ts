@@ -2,7 +2,7 @@ import { type ClipTrack, type ModelRenderer, morphField, valueAt } from '@farol/
 import { type KeyframeTrack, Mesh, NumberKeyframeTrack, type Object3D } from 'three';
 import { beforeTime } from './beforeTime';
 
-/** Key times (s) for linear interpolation of tracks, and whether curves are sampled for it. */
+/** Key times (s) for linear interpolation of tracks, and whether curves were sampled. */
 function timesOf(tracks: readonly ClipTrack[], frameRate: number): { times: number[]; isBaked: boolean } {
   const times = new Set<number>();
   let isBaked = false;

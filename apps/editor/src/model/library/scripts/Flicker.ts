@@ -1,7 +1,7 @@
 import { Light } from '@farol/engine';
 import { component, number } from '@farol/engine/fields';
 
-/** Lets the lights of its object, and of those below it, burn unsteadily. */
+/** Makes the lights of its object and of its descendants flicker. */
 export default class Flicker extends component({
   depth: number(0.4, { min: 0, max: 1, step: 0.05, help: 'How much darker it gets at times: 0 not at all, 1 dark.' }),
   speed: number(6, { unit: 'Hz', min: 0, step: 0.5, help: 'How often it changes.' }),
@@ -9,7 +9,7 @@ export default class Flicker extends component({
   static override readonly help: string = 'Light that burns as a flame does.';
 
   override update(_deltaSeconds: number, time: number): void {
-    // three waves that never fall together, each object's at another time
+    // three sine waves of unrelated periods, with a phase for each object
     const { x, z } = this.gameObject.object3D.position;
     const t = (time + x * 3.1 + z * 5.7) * this.speed;
     const wave = (Math.sin(t * 1.9) + Math.sin(t * 3.7 + 1) + Math.sin(t * 7.3 + 2)) / 3;
@@ -18,7 +18,7 @@ export default class Flicker extends component({
       const light = object.getComponent(Light);
       if (!light) return;
       const steady = light.getAuthored('intensity') as number;
-      // simulate() sets a value that is shown and not saved
+      // simulate() sets a value that is shown but not saved
       light.simulate('intensity', steady * factor);
     });
   }

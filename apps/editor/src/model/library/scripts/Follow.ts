@@ -4,7 +4,7 @@ import { Vector3 } from 'three';
 
 const wanted = new Vector3();
 
-/** Keeps its object near another one. */
+/** Moves its object towards another one, and keeps a distance. */
 export default class Follow extends component({
   target: object(null, { help: 'The object that it follows; the one with the tag “player” when none is chosen.' }),
   distance: number(1.5, { unit: 'm', min: 0, step: 0.1, help: 'How near it comes.' }),
@@ -31,7 +31,7 @@ export default class Follow extends component({
     object3D.parent?.worldToLocal(wanted);
     const way = wanted.sub(object3D.position);
     const length = Math.hypot(way.x, way.z);
-    // stays where it is beside the other, but at its height
+    // within the distance only the height follows
     const part = length > this.distance ? (length - this.distance) / length : 0;
     const share = 1 - Math.exp(-this.speed * deltaSeconds);
     object3D.position.x += way.x * part * share;

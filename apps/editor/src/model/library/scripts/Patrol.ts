@@ -4,7 +4,7 @@ import { Vector3 } from 'three';
 const from = new Vector3();
 const to = new Vector3();
 
-/** Walks from point to point for ever, and looks where it goes. */
+/** Walks from point to point in a loop, facing its direction. */
 export default class Patrol extends component({
   way: object(null, { help: 'The object whose children are the points, in their order.' }),
   speed: number(1.4, { unit: 'm/s', min: 0, step: 0.1, help: 'How fast it goes.' }),

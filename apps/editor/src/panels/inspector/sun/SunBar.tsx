@@ -23,7 +23,7 @@ const steps: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -1],
 };
 
-/** Map of the world, by which places are set, and where sun and moon stand. @param props.components - SunAndMoons */
+/** World map to choose the place on, and the positions of sun and moon. @param props.components - SunAndMoons */
 export function SunBar({ components }: { components: readonly Component[] }): ReactNode {
   const { commands, document } = useEditor();
   useOwnersRevision(components);

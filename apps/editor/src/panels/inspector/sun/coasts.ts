@@ -1,4 +1,4 @@
-/** Coasts of the continents, roughly: longitude and latitude of each corner (degrees), drawn by eye. */
+/** Rough coasts of the continents, drawn by eye: longitude and latitude of each corner (degrees). */
 export const coasts: readonly (readonly number[])[] = [
   // North and Middle America
   [

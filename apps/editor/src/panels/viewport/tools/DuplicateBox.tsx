@@ -18,7 +18,7 @@ interface PartProps {
   readonly value: Arrangement;
 }
 
-/** Value of a setting of the tool, and its setter: the properties of a row. */
+/** Properties of a row: value of a setting of the tool, and its setter. */
 const bind = <K extends keyof Arrangement>(
   tool: DuplicateTool,
   name: K,
@@ -158,7 +158,7 @@ function LightPart({ tool, value }: PartProps): ReactNode {
   );
 }
 
-/** Number of lights from which the box says that they may be too bright together. */
+/** Number of lights from which the box warns that together they may be too bright. */
 const MANY_LIGHTS = 20;
 
 const parts = { line: LinePart, ring: RingPart, grid: GridPart, scatter: ScatterPart };
@@ -209,9 +209,12 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
       </div>
       <p className="tool-note" role="status">
         {value.kind === 'scatter' && !tool.target
-          ? t('Click what they shall be scattered over.')
+          ? t('Click the object to scatter the copies over.')
           : tool.total < requestedCount
-            ? t('{count} of {wanted} fit: the others would be closer.', { count: tool.total, wanted: requestedCount })
+            ? t('{count} of {wanted} fit: more would be too close together.', {
+                count: tool.total,
+                wanted: requestedCount,
+              })
             : tCount(tool.total, '{count} in all', '{count} in all')}
       </p>
       <div className="dialog-buttons">

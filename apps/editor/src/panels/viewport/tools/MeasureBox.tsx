@@ -27,7 +27,7 @@ export function MeasureBox({ tool }: { readonly tool: MeasureTool }): ReactNode 
           ))}
         </dl>
       ) : (
-        <p className="tool-note">{t('Click two points. Vertices near the pointer are taken.')}</p>
+        <p className="tool-note">{t('Click two points. They snap to vertices near the pointer.')}</p>
       )}
       <div className="dialog-buttons">
         <Button label={t('Close')} onClick={() => tools.end(tool)} />

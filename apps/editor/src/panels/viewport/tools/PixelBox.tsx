@@ -8,7 +8,7 @@ import type { PixelLightingTool } from '../../../viewport/pixelLighting/PixelLig
 import type { PixelReading, ShareLine } from '../../../viewport/pixelLighting/PixelReading';
 import './pixelBox.css';
 
-/** Colour of light on the page: as bright as the page can show, so that dim light has a hue too. */
+/** CSS colour with the hue of a light's colour at full brightness, so that dim light is recognizable. */
 function screenColour(color: Color): string {
   const brightest = Math.max(color.r, color.g, color.b, 1e-9);
   const shown = color.clone().multiplyScalar(1 / Math.max(brightest, 1e-9));
@@ -20,7 +20,7 @@ const percent = (part: number): string =>
 
 const linear = ({ r, g, b }: Color): string => [r, g, b].map((value) => value.toFixed(3)).join(' ');
 
-/** The lights that a pixel is made of, what else it shows, and what drew it. */
+/** The lights that reach a pixel, other parts of its colour, and the object drawn there. */
 export function PixelBox({ tool }: { readonly tool: PixelLightingTool }): ReactNode {
   const { tools, viewport } = useEditor();
   useSignal(tool.changed);
@@ -91,10 +91,10 @@ function Reading({ reading }: { readonly reading: PixelReading }): ReactNode {
       {surfaces.length > 0 && <Surfaces surfaces={surfaces} />}
       {effectsLeftOut.length > 0 && (
         <p className="tool-note">
-          {t('Without effects of the whole picture: {names}', { names: effectsLeftOut.join(', ') })}
+          {t('Without effects that need the whole picture: {names}', { names: effectsLeftOut.join(', ') })}
         </p>
       )}
-      {changed && <p className="tool-note">{t('The picture changed meanwhile: shares are of several moments.')}</p>}
+      {changed && <p className="tool-note">{t('The picture changed meanwhile: the shares are of different times.')}</p>}
       <details className="pixel-chunks">
         <summary>{t('Microshaders that ran')}</summary>
         <dl>

@@ -2,7 +2,7 @@ import { type ComponentType, lazy, type ReactNode } from 'react';
 import type { Tool } from '../../../model/Tools';
 import './tools.css';
 
-/** Settings box of each tool, by its id. A new tool is a line here. */
+/** Settings box of each tool, by its id. A new tool takes a line here. */
 const boxes: Readonly<Record<string, ComponentType<{ tool: never }>>> = {
   duplicate: lazy(async () => ({ default: (await import('./DuplicateBox')).DuplicateBox })),
   'light-meter': lazy(async () => ({ default: (await import('./MeterBox')).MeterBox })),

@@ -12,7 +12,7 @@ interface NumberRowProps {
   onChange(value: number): void;
 }
 
-/** A number setting of a tool, applied at once. */
+/** A number setting of a tool, applied while it is edited. */
 export function NumberRow({ label, onChange, value, ...rest }: NumberRowProps): ReactNode {
   return (
     <div className="tool-row">

@@ -3,8 +3,8 @@ import { attributeState, hasReadableVertices } from '../../../three/vertexData';
 import { CLUSTER_TRIANGLES, ClusterOrder } from './ClusterOrder';
 
 /**
- * The triangles of a geometry as shadow maps draw them: positions alone, in clusters that lie close together, see
- * `ClusterOrder`. Worked out a part at a time, by `step`.
+ * The triangles of a geometry as shadow maps draw them: only positions, in clusters that lie close together, see `ClusterOrder`.
+ * `step` computes a part at a time.
  */
 export class CasterGeometry {
   /** Positions (own space, m), 3 numbers each, of the vertices that triangles use. */
@@ -87,7 +87,7 @@ export class CasterGeometry {
     const { position } = this;
     const known = new Int32Array(position.count).fill(-1);
     this.index = new Uint32Array(order.length * 3);
-    // within a cluster in the order of the source, so that neighbouring triangles share vertices in the cache
+    // within a cluster, triangles keep the source's order, so that neighbours share vertices in the cache
     for (let i = 0; i < order.length; i += CLUSTER_TRIANGLES) order.subarray(i, i + CLUSTER_TRIANGLES).sort();
     let vertices = 0;
     for (let i = 0; i < this.index.length; i++) {

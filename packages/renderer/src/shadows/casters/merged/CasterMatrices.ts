@@ -21,7 +21,7 @@ export class CasterMatrices {
     this.rows = new Float32Array(CasterMatrices.capacity(webgl) * FLOATS);
   }
 
-  /** Objects that one block holds. */
+  /** Number of objects that one block holds. */
   static capacity(webgl: WebGLRenderer): number {
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const bytes = gl.getParameter(gl.MAX_UNIFORM_BLOCK_SIZE) as number;
@@ -48,7 +48,7 @@ export class CasterMatrices {
     gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, 'FarolCasters'), this.point);
   }
 
-  /** Drops the uniform buffer, which the lost GL context has taken along. */
+  /** Drops the uniform buffer, which was lost with the GL context. */
   lose(): void {
     this.buffer = null;
   }

@@ -1,11 +1,11 @@
-/** Triangles of a cluster of merged casters. */
+/** Number of triangles in a cluster of merged casters. */
 export const CLUSTER_TRIANGLES = 64;
-/** Clusters of a group: clusters that follow one another lie close together. */
+/** Number of consecutive clusters in a group; they lie close together. */
 export const CLUSTERS_PER_GROUP = 8;
 
 /**
- * Orders the triangles of a geometry so that each `CLUSTER_TRIANGLES` that follow one another lie close together: halves them
- * at the median along the longest axis that their centres spread over, until each half is one cluster. `step` does a part of the work.
+ * Orders the triangles of a geometry so that each `CLUSTER_TRIANGLES` consecutive ones lie close together: halves them at the
+ * median along the axis on which their centres spread most, until each half is one cluster. `step` does a part of the work.
  * @see Bentley 1975, Multidimensional Binary Search Trees
  */
 export class ClusterOrder {

@@ -38,28 +38,28 @@ import { isCompiled, programHandle } from '../../../three/handles';
 
 /** Number of scene traversals in which a caster must be unchanged before it is merged. */
 const SETTLED = 30;
-/** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
+/** Maximum number of merged triangles: about 22 bytes each on the GPU, and as many in memory. */
 const MOST_TRIANGLES = 2_000_000;
 /** Maximum number of triangles sorted in a frame while casters wait to be merged, so that no frame is late. */
 const BUDGET = 150_000;
-/** Number of triangles, or casters, removed from the scene below which their room in the buffers is not reclaimed. */
+/** Number of triangles, or casters, removed from the scene before their room in the buffers is reclaimed. */
 const FEW_GONE = 65_536;
 const FEW_LOST = 256;
-/** Walks over the scene between sweeps; a caster absent for as many is dropped. Frames without maps do not sweep. */
+/** Number of traversals between sweeps; a caster absent for as many is dropped. Frames without maps do not sweep. */
 const SWEEP = 256;
-/** Number of merged casters missing in a frame above which those removed from the scene are looked for. */
+/** Number of merged casters missing in a frame above which a sweep looks for those removed from the scene. */
 const FEW_ABSENT = 64;
 /** Grid (m) to which the origin of caster matrices is snapped: positions near the origin keep more digits. */
 const GRID = 128;
 
 const clipFromWorld = new Matrix4();
-const anyCamera = new PerspectiveCamera(); // passed to three's draw; where depth is reversed, three changes its projection
-/** Group of no triangles: three binds all that a draw needs, and draws nothing. */
+const anyCamera = new PerspectiveCamera(); // argument of three's draw; places no casters
+/** Group without triangles: three binds program and buffers, and draws nothing. */
 const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
 /** Group with which three compiles the program, and makes no draw call. */
 const NO_DRAW: GeometryGroup = { start: 1, count: -1 };
 
-/** Merged casters drawn as one mesh: as many as one uniform block has matrices for. */
+/** Merged casters drawn as one mesh, up to the number of matrices in one uniform block. */
 interface Page {
   readonly mesh: MergedMesh;
   readonly matrices: CasterMatrices;
@@ -67,8 +67,8 @@ interface Page {
 }
 
 /**
- * Casters of a scene whose triangles lie in one buffer, in small clusters, so that a face of a shadow map draws all clusters that
- * it shows in one call. A budget of casters is merged each frame; those not merged yet are drawn one by one.
+ * Casters of a scene whose triangles lie in one buffer, in small clusters, so that one call draws all clusters that a face of a
+ * shadow map shows. A budget of casters is merged each frame; those not merged yet are drawn one by one.
  */
 export class MergedCasters {
   private readonly pages: Page[] = [];
@@ -124,10 +124,10 @@ export class MergedCasters {
   }
 
   /**
-   * Begins a frame in which maps may be drawn: merges some of the casters that wait.
-   * @param camera - near which matrices count from
-   * @param casters - of the scene
-   * @param loose - gets the casters that are not merged
+   * Begins a frame in which maps may be drawn: merges some of the waiting casters.
+   * @param camera - camera near which the matrices' origin lies
+   * @param casters - casters of the scene
+   * @param loose - receives the casters that are not merged
    */
   begin(camera: Camera, { list, count, walks, walked }: ShadowCasters, loose: Caster[]): void {
     this.moveOrigin(camera);
@@ -153,7 +153,7 @@ export class MergedCasters {
     for (let i = 0; i < present.length; i++) this.presentBoxes.set(present[i].caster.box, i * 6);
   }
 
-  /** Entry of a caster among the merged ones; null if it is not merged: it may then begin to wait. */
+  /** Entry of a caster among the merged ones; null if it is not merged, in which case it may be queued. */
   find(caster: Caster): MergedCaster | null {
     const { merged } = caster;
     if (merged !== null && this.isSame(merged)) return merged;
@@ -230,7 +230,7 @@ export class MergedCasters {
     this.interrupt();
   }
 
-  /** Notes that three may have bound other buffers. Call after draws of anything else. */
+  /** Notes that three may have bound other buffers. Call after any other draw. */
   interrupt(): void {
     this.bound = -1;
   }
@@ -274,7 +274,7 @@ export class MergedCasters {
     this.material.dispose();
   }
 
-  /** Binds the program and buffers of a page by three; later draws name their triangles alone. */
+  /** Binds the program and buffers of a page by three; later draws only pass their triangles. */
   private bind(page: number, side: Side): void {
     const { mesh, matrices } = this.pages[page];
     matrices.bind();
@@ -293,7 +293,7 @@ export class MergedCasters {
     return page;
   }
 
-  /** Merges the triangles of the last caster that waits, a part at a time. */
+  /** Merges the triangles of the last waiting caster, a part at a time. */
   private mergeNext(caster: Caster, walks: number): number {
     if (caster.queuedVersion !== caster.signatureVersion || caster.merged !== null || caster.lastWalk !== walks) {
       if (caster.merged === null) caster.queuedVersion = -1;
@@ -339,7 +339,7 @@ export class MergedCasters {
     this.members.push(merged);
   }
 
-  /** Updates the boxes and the matrix in the block by the caster's world matrix. */
+  /** Updates a caster's boxes and its matrix in the block from its world matrix. */
   follow(merged: MergedCaster): void {
     const { caster, boxes, geometry, page, object } = merged;
     if (merged.matrixVersion === caster.matrixVersion) return;
@@ -359,7 +359,7 @@ export class MergedCasters {
     this.pages[page].matrices.set(object, matrixWorld, this.origin);
   }
 
-  /** Moves the origin of the matrices near the camera: far from the world's origin they would lose digits. */
+  /** Moves the origin of the matrices near the camera: far from the origin they would lose precision. */
   private moveOrigin(camera: Camera): void {
     const e = camera.matrixWorld.elements;
     const x = Math.round(e[12] / GRID) * GRID;

@@ -4,7 +4,10 @@ import { casterProxy } from '../casterProxy';
 /** Number of vertices, and of indices, in the first buffers. */
 const SMALLEST = 4096;
 
-/** One mesh that holds the triangles of many casters. Triangles stay where they are put; three binds the mesh, Farol draws its runs. */
+/**
+ * One mesh that holds the triangles of many casters. Triangles keep their place in the buffers; three binds the mesh, Farol
+ * draws runs of it.
+ */
 export class MergedMesh {
   readonly mesh: Mesh;
   /** Mesh given to three's traversal, which uploads its buffers, see `casterProxy`. */

@@ -1,6 +1,6 @@
 const BYTES_PER_INDEX = Uint32Array.BYTES_PER_ELEMENT;
 
-/** Runs of indices that one call draws, as WEBGL_multi_draw takes them; runs that follow one another are joined. */
+/** Runs of indices for one WEBGL_multi_draw call; adjoining runs are joined. */
 export class TriangleRuns {
   /** Byte offset of each run's first index. */
   starts = new Int32Array(16);

@@ -12,7 +12,7 @@ import type { TriangleRuns } from './TriangleRuns';
 const INDICES = CLUSTER_TRIANGLES * 3;
 const GROUP_INDICES = CLUSTERS_PER_GROUP * INDICES;
 
-/** The bits of a number from 0 to 15, each spread to a byte of its own. */
+/** For each number from 0 to 15, its four bits spread to four bytes. */
 const SPREAD = Int32Array.from({ length: 16 }, (_, i) => (i & 1) | ((i & 2) << 7) | ((i & 4) << 14) | ((i & 8) << 21));
 
 /** Reused list: index ranges to draw, one set for each of the six faces of a cube map. */
@@ -40,7 +40,7 @@ export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Cluster
       runs[31 - Math.clz32(shown)].add(first + start, end - start);
       continue;
     }
-    // one byte a face and one bit a cluster: faces 0 to 3 here, faces 4 and 5 in the second number
+    // one byte for each face, one bit for each cluster: faces 0 to 3 here, faces 4 and 5 in the next number
     let firstFaces = 0;
     let lastFaces = 0;
     const endOfBoxes = Math.min(boxes.length, (group + 6) * CLUSTERS_PER_GROUP);

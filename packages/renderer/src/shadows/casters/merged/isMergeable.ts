@@ -2,9 +2,9 @@ import { type BufferAttribute, type Material, type Mesh, type MeshStandardMateri
 import { surfacesOf } from '../../../materials/surfacesOf';
 
 /**
- * True for casters that a shadow map shows as plain triangles, placed by their matrix alone: no material discards
- * fragments, displaces or clips, and no callback runs on drawing. Ask only of casters that have a box (see
- * `casterBox`); animated ones have none.
+ * True for casters that a shadow map shows as plain triangles, placed by their matrix alone: no material discards fragments,
+ * displaces or clips, and no callback runs on drawing. Call only for casters that have a box (see `casterBox`); animated ones
+ * have none.
  */
 export function isMergeable(object: Object3D): boolean {
   const { isMesh, geometry, material } = object as Mesh;
