@@ -346,8 +346,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * @throws Error when the code cannot be fetched
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
-    const { last, finder } = this;
-    return warmUpCode.load().then((code) => code.compileByDrawing(this, last, finder, scene, camera));
+    return warmUpCode.load().then((code) => code.compileByDrawing(this, this.last, this.finder, scene, camera));
   }
 
   /** Frees all GPU resources of Farol, not the host's. A call within `render` frees them when the frame ends. */
