@@ -15,12 +15,13 @@ import { POINT, POINTS, surfacePoints } from './surfacePoints';
 /** Maximum number of cells along a side of the picture, and number of points for which there is one cell. */
 const MOST_CELLS = 8;
 const POINTS_A_CELL = 16;
-/** Number of frames from one estimate to the next. */
-const INTERVAL = 32;
+/** Number of frames from one estimate to the next, and of those before one in which new items' points are found. */
+const INTERVAL = 64;
+const AHEAD = 8;
 /** Number of opaque items beyond which nothing is estimated, since the CPU then takes longer than the GPU. */
 const MOST_ITEMS = 1000;
 /** Number of points of all items, of which fewer are read where there are many items. */
-const MOST_POINTS = 4096;
+const MOST_POINTS = 6144;
 /** Capacity of the arrays of parts. */
 const MOST_PARTS = MOST_POINTS + MOST_ITEMS;
 /** Number of runs, beyond which nothing is estimated: items drawn one after the other, of one material and render order. */
@@ -46,6 +47,10 @@ const areas = new Float64Array(MOST_PARTS);
 const keys = new Float64Array(MOST_PARTS);
 /** First item of each run, in the order in which they are drawn; empty between estimates. */
 const runs: RenderItem[] = [];
+/** First run of the same material, of each run. */
+const firsts = new Uint8Array(MOST_RUNS);
+/** Waste (cells) of drawing a material before the others that have no rank yet, at its first run. */
+const wastes = new Float64Array(MOST_RUNS);
 /** Share of each cell that nearer parts of each run cover. */
 const front = new Float64Array(MOST_CELLS * MOST_CELLS * MOST_RUNS);
 /** Number of cells of a second run that a first one hides, by first and second. */
@@ -53,7 +58,7 @@ const hides = new Float64Array(MOST_RUNS * MOST_RUNS);
 
 /**
  * Estimate of how often the opaque items of a scene shade a pixel that a later one hides, and of the order of materials that
- * spares most of it, by points on the items' surfaces over cells of the picture. Made anew every 32 frames.
+ * spares most of it, by points on the items' surfaces over cells of the picture. Made anew every 64 frames.
  */
 export class Overdraw {
   /** Shadings beyond the first, of a pixel on average; half of it from the estimate before. */
@@ -65,12 +70,15 @@ export class Overdraw {
   private frames = 0;
   private parts = 0;
 
-  /** Counts a drawn frame, and estimates anew in every 32nd. */
+  /** Counts a drawn frame, and estimates anew in every 64th. */
   follow({ camera, queue: { opaque } }: EstimatedFrame): void {
-    if (this.frames++ % INTERVAL !== 0) return;
-    const isKnown = opaque.length <= MOST_ITEMS && this.place(opaque, camera);
+    const frame = this.frames++ % INTERVAL;
+    const isFew = opaque.length <= MOST_ITEMS;
+    if (frame < AHEAD && isFew) for (let i = frame; i < opaque.length; i += AHEAD) surfacePoints(opaque[i]);
+    if (frame !== AHEAD) return;
+    const isKnown = isFew && this.place(opaque, camera);
     const layers = isKnown ? this.compare() : 0;
-    this.layers = this.frames === 1 ? layers : (this.layers + layers) / 2;
+    this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
     this.ranks.clear();
     if (isKnown) this.rank();
     runs.length = 0;
@@ -87,7 +95,13 @@ export class Overdraw {
       if (item.route !== 'split') continue;
       this.triangles += trianglesOf(item);
       const follows = last !== null && last.material === item.material && isBeside(last, item) && last.z <= item.z;
-      if (!follows && runs.push(item) > MOST_RUNS) return false;
+      if (!follows) {
+        if (runs.length === MOST_RUNS) return false;
+        let first = 0;
+        while (first < runs.length && runs[first].material !== item.material) first++;
+        firsts[runs.length] = first;
+        runs.push(item);
+      }
       last = item;
       this.placeItem(item, camera, step);
     }
@@ -155,25 +169,26 @@ export class Overdraw {
 
   /** Ranks materials: next comes the material that wastes least by coming before all that are left. */
   private rank(): void {
-    for (let rank = 0; ; rank++) {
-      let next: Material | null = null;
-      let least = Infinity;
-      for (let one = 0; one < runs.length; one++) {
-        const { material } = runs[one];
-        if (this.ranks.has(material)) continue;
-        let loss = 0;
-        for (let own = 0; own < runs.length; own++) {
-          if (runs[own].material !== material) continue;
-          for (let run = 0; run < runs.length; run++) {
-            if (this.ranks.has(runs[run].material) || !isBeside(runs[run], runs[own])) continue;
-            loss += hides[run * MOST_RUNS + own] - hides[own * MOST_RUNS + run];
-          }
-        }
-        if (loss < least) [next, least] = [material, loss];
+    wastes.fill(0);
+    for (let run = 0; run < runs.length; run++) addWastes(run, 1);
+    for (let rank = 0; rank < runs.length; rank++) {
+      let next = -1;
+      for (let run = 0; run < runs.length; run++) {
+        if (firsts[run] !== run || this.ranks.has(runs[run].material)) continue;
+        if (next < 0 || wastes[run] < wastes[next]) next = run;
       }
-      if (next === null) return;
-      this.ranks.set(next, rank);
+      if (next < 0) return;
+      this.ranks.set(runs[next].material, rank);
+      for (let run = next; run < runs.length; run++) if (firsts[run] === next) addWastes(run, -1);
     }
+  }
+}
+
+/** Adds, times a sign, the waste of each other material if it comes before a run, less that of the run before it. */
+function addWastes(run: number, sign: number): void {
+  for (let other = 0; other < runs.length; other++) {
+    if (!isBeside(runs[run], runs[other])) continue;
+    wastes[firsts[other]] += sign * (hides[run * MOST_RUNS + other] - hides[other * MOST_RUNS + run]);
   }
 }
 
