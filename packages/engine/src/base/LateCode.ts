@@ -1,4 +1,4 @@
-/** Code that most scenes do without, fetched when one first needs it; shared by all scenes of a page. */
+/** Code that most scenes do not need, fetched on first use; shared by all scenes of a page. */
 export class LateCode<Code> {
   /** Fetches of late code that are under way, of all instances. */
   static readonly fetching = new Set<Promise<unknown>>();

@@ -6,8 +6,8 @@ import type { Scene } from '../core/Scene';
 import { fogCode } from './fogCode';
 
 /**
- * Fog in a box or ball around the GameObject, added to that of the scene: `FogVolume` of @farol/renderer/volumetric-fog, fetched when
- * a scene first has one. Seen while the scene's effect "Volumetric fog" is on.
+ * Fog in a box or ball around the GameObject, added to that of the scene: `FogVolume` of
+ * @farol/renderer/volumetric-fog, fetched when a scene first has one. Drawn with the scene's effect "Volumetric fog".
  */
 export class FogVolume extends component({
   shape: choice('box', ['box', 'sphere'], {
