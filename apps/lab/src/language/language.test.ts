@@ -20,7 +20,7 @@ const inFile = (end: string): [string, string][] => lab.filter(([path]) => path.
 const words = (table: object): string[] =>
   Object.values(table).flatMap((each: object) => Object.values(each) as string[]);
 
-/** Names that the Lab has of its techniques are keys, the same in each language. */
+/** Labels of Farol's techniques contain keys, which are the same in each language. */
 const ofCompetitors = Object.entries(competitorNames).flatMap(([name, { label, help }]) =>
   name in techniques ? [] : [label, help],
 );

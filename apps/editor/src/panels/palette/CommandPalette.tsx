@@ -1,6 +1,6 @@
 import { isComposing, t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
-import { type KeyboardEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
+import { type KeyboardEvent, type ReactNode, useCallback, useEffect, useMemo, useRef, useState } from 'react';
 import { showPalette } from '../../actions/help';
 import { matchKey } from '../../actions/matchKey';
 import { useEditor } from '../../ui/EditorContext';
@@ -11,12 +11,18 @@ import './palette.css';
 import { componentItems, fieldItems } from './fieldItems';
 import { LINES, objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
 
-const focusNow = (input: HTMLInputElement | null): void => input?.focus();
-
 /** Palette of all actions, and of the scene's objects, searched by typing. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
-  const [query, setQuery] = useState(editor.dialogs.typed);
+  const [query, setQuery] = useState('');
+  // read in the commit that replaces the field typed into so far: React can hold it back for 0.3 s after the render
+  const begin = useCallback(
+    (input: HTMLInputElement | null) => {
+      input?.focus();
+      if (input) setQuery(editor.dialogs.typed);
+    },
+    [editor],
+  );
   const [chosen, setChosen] = useState(0);
   const list = useRef<HTMLUListElement>(null);
   const items = useMemo(() => paletteItems(editor), [editor]);
@@ -73,8 +79,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
             setChosen(0);
           }}
           onKeyDown={keyDown}
-          // focused in the same commit that removes the field for text typed ahead, so that no key is lost
-          ref={focusNow}
+          ref={begin}
         />
       </div>
       <ul id="palette-list" className="palette-list" role="listbox" aria-label={t('Commands')} ref={list}>

@@ -91,7 +91,7 @@ export const page: Texts = {
   '{count} lights left out': '{count} luces omitidas',
   'the reference': 'la referencia',
   'equal to the reference': 'igual a la referencia',
-  'The first figures come in some seconds.': 'Las primeras cifras llegan en unos segundos.',
+  'The first figures arrive within seconds.': 'Las primeras cifras llegan en unos segundos.',
   'Nothing was measured.': 'No se midió nada.',
   'What each one drew': 'Lo que dibujó cada uno',
   'All measurements': 'Todas las medidas',
@@ -319,7 +319,7 @@ export const page: Texts = {
     'La técnica «auto» elige otra con reglas sacadas de una sola GPU. Aquí mide aquellas entre las que duda y guarda en este navegador cuál es más rápida: las páginas de esta dirección con la opción «learning» se guían por eso.',
   'Let auto learn': 'Dejar que auto aprenda',
   'Forget all of it': 'Olvidarlo todo',
-  'Nothing can be learnt here: there is no timer of the GPU.':
+  'Nothing can be learnt here: the device has no GPU timer.':
     'Aquí no se puede aprender nada: no hay temporizador de la GPU.',
   'Nothing yet.': 'Nada todavía.',
   '{count} verdict.': '{count} veredicto.',
