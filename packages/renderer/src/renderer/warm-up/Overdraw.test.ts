@@ -34,7 +34,7 @@ const item = (object: Mesh, route: RenderItem['route'] = 'split', renderOrder = 
 
 function estimate(opaque: readonly RenderItem[], by: Camera = camera): Overdraw {
   const overdraw = new Overdraw();
-  overdraw.follow({ camera: by, queue: { opaque } });
+  for (let i = 0; i < 9; i++) overdraw.follow({ camera: by, queue: { opaque } });
   return overdraw;
 }
 
@@ -74,19 +74,20 @@ it('leaves out what no depth pre-pass draws, and what has no positions or known 
   instanced.setMatrixAt(0, new Matrix4().setPosition(0, 0, -110));
   for (const i of [1, 2]) instanced.setMatrixAt(i, new Matrix4().setPosition(0, 0, -110 - i));
   instanced.computeBoundingSphere();
-  expect(estimate([item(quad(300)), item(instanced)]).layers, 'instances, by their sphere').toBeGreaterThan(0.3);
+  expect(estimate([item(quad(300)), item(instanced)]).layers, 'instances, by their sphere').toBeGreaterThan(0.2);
 });
 
-it('is made anew every 32 frames, half of it from the one before, and for no more than 1,000 items', () => {
+it('is made anew every 64 frames, half of it from the one before, and for no more than 1,000 items', () => {
   const overdraw = new Overdraw();
   const follow = (opaque: readonly RenderItem[], frames: number) => {
     for (let i = 0; i < frames; i++) overdraw.follow({ camera, queue: { opaque } });
     return overdraw.layers;
   };
   const layers = depths.map((depth) => item(quad(depth)));
+  expect(follow(layers, 8)).toBe(0);
   const first = follow(layers, 1);
   expect(first).toBeGreaterThan(1);
-  expect(follow([], 31)).toBe(first);
+  expect(follow([], 63)).toBe(first);
   expect(follow([], 1)).toBe(first / 2);
   const many = estimate(Array.from({ length: 1001 }, (_, i) => layers[i % 16]));
   expect(many).toMatchObject({ layers: 0, ranks: new Map() });

@@ -1,22 +1,28 @@
-import type { BufferGeometry, Object3D, Sphere } from 'three';
+import { type BufferGeometry, type Object3D, type Sphere, Vector3 } from 'three';
 import type { RenderItem } from '../../frame/RenderItem';
 import { hasReadableVertices } from '../../three/vertexData';
 
-/** Numbers of a point: its place, and the area around it times the normal there, both in the space of the object. */
+/** Count of a point's numbers: its position, then the normal there times the area that it stands for (object's own space). */
 export const POINT = 6;
-/** Number of triangles of a geometry, evenly spread, that points lie on. */
+/** Maximum number of a geometry's triangles, evenly spread, that points lie on. */
 const TRIANGLES = 64;
-/** Steps of a sequence in two dimensions that spreads evenly: powers of the plastic number (Roberts, 2018). */
+/** Steps of the low-discrepancy sequence R2: powers of the plastic number (Roberts 2018). */
 const STEPS = [0.7548776662466927, 0.5698402909980532];
 
 const known = new WeakMap<object, Float32Array>();
 const none = new Float32Array(0);
-const sphere = new Float32Array(128 * POINT);
+/** First corner, both edges from there, their cross product, and area of each triangle. */
+const origins = new Float64Array(3 * TRIANGLES);
+const edges = new Float64Array(6 * TRIANGLES);
+const normals = new Float64Array(3 * TRIANGLES);
+const areas = new Float64Array(TRIANGLES);
+const corners = [new Vector3(), new Vector3(), new Vector3()];
+const sphere = new Float32Array(48 * POINT);
 
-/** Number of points on the surface of an item. */
+/** Number of points on an item's surface. */
 export const POINTS = sphere.length / POINT;
 
-/** Points spread evenly over what an item draws; none where that is not known. Valid until the next call. */
+/** Points spread evenly over the surface that an item draws; none if the CPU cannot read it. Valid until the next call. */
 export function surfacePoints({ object, geometry, group }: RenderItem): Float32Array {
   // instances, batches and skins have bounds of their own, which three computes to cull them
   const { boundingSphere } = object as Object3D & { boundingSphere?: Sphere | null };
@@ -54,26 +60,31 @@ function pointsOn(geometry: BufferGeometry, group: RenderItem['group']): Float32
   const triangles = Math.floor((end - first) / 3);
   if (triangles <= 0) return none;
   const count = Math.min(triangles, TRIANGLES);
-  const corner = (triangle: number, k: number, axis: number): number => {
-    const i = first + 3 * Math.floor((triangle * triangles) / count) + k;
-    return position.getComponent(index === null ? i : index.getX(i), axis);
-  };
-  const edge = (triangle: number, k: number, axis: number) => corner(triangle, k, axis) - corner(triangle, 0, axis);
-  const crosses = Array.from({ length: count }, (_, t) =>
-    [1, 2, 0].map((a, i) => edge(t, 1, a) * edge(t, 2, (i + 2) % 3) - edge(t, 1, (i + 2) % 3) * edge(t, 2, a)),
-  );
-  const areas = crosses.map((cross) => Math.hypot(...cross) / 2);
-  const area = areas.reduce((sum, one) => sum + one, 0);
+  let area = 0;
+  for (let t = 0; t < count; t++) {
+    for (let k = 0; k < 3; k++) {
+      const vertex = first + 3 * Math.floor((t * triangles) / count) + k;
+      corners[k].fromBufferAttribute(position, index === null ? vertex : index.getX(vertex));
+    }
+    const [a, b, c] = corners;
+    b.sub(a).toArray(edges, 6 * t);
+    c.sub(a).toArray(edges, 6 * t + 3);
+    a.toArray(origins, 3 * t);
+    a.crossVectors(b, c).toArray(normals, 3 * t);
+    areas[t] = a.length() / 2;
+    area += areas[t];
+  }
   const points = new Float32Array(POINTS * POINT);
   let below = 0;
-  for (let i = 0, triangle = 0; i < POINTS; i++) {
-    while (triangle < count - 1 && below + areas[triangle] < ((i + 0.5) / POINTS) * area) below += areas[triangle++];
-    let [u, v] = STEPS.map((step) => (i * step) % 1);
+  for (let i = 0, t = 0; i < POINTS; i++) {
+    while (t < count - 1 && below + areas[t] < ((i + 0.5) / POINTS) * area) below += areas[t++];
+    let u = (i * STEPS[0]) % 1;
+    let v = (i * STEPS[1]) % 1;
     if (u + v > 1) [u, v] = [1 - u, 1 - v];
-    const share = ((area / POINTS) * (triangles / count)) / (2 * areas[triangle] || 1);
+    const share = ((area / POINTS) * (triangles / count)) / (2 * areas[t] || 1);
     for (let axis = 0; axis < 3; axis++) {
-      points[POINT * i + axis] = corner(triangle, 0, axis) + u * edge(triangle, 1, axis) + v * edge(triangle, 2, axis);
-      points[POINT * i + 3 + axis] = share * crosses[triangle][axis];
+      points[POINT * i + axis] = origins[3 * t + axis] + u * edges[6 * t + axis] + v * edges[6 * t + 3 + axis];
+      points[POINT * i + 3 + axis] = share * normals[3 * t + axis];
     }
   }
   return points;
