@@ -85,7 +85,7 @@ test('edit a microshader, break it, mend it: the picture follows, keeps the last
   // broken: the error is at its line, the picture as it was
   await goBefore(page, 'incidentLight', 'light.color *=');
   await page.keyboard.type('light.color = nothing;\n');
-  await expect(panel(page).getByRole('status')).toContainText('Broken');
+  await expect(panel(page).getByRole('status')).toContainText('Does not compile');
   const line = await page.evaluate(
     () => 1 + window.editor.microShaders.textOf('incidentLight').split('\n').indexOf('light.color = nothing;'),
   );

@@ -68,7 +68,7 @@ test('a surface from a built-in, on an object: its values are fields; its text i
 
   // broken: the error is at its line, the picture as it was
   await type(page, textOf('s.emissive = vec3(0.0, gren, 0.0);'));
-  await expect(panel.getByRole('status')).toContainText('Broken');
+  await expect(panel.getByRole('status')).toContainText('Does not compile');
   await expect(panel.getByRole('list', { name: 'Errors' })).toContainText("Tint:3'gren' : undeclared identifier");
   await expect(panel.locator('.cm-lint-marker-error')).toHaveCount(1);
   expect(await isGreen()).toBe(true);

@@ -175,6 +175,25 @@ test.describe('on a desk', () => {
     expect(resting[1] - resting[0]).toBeLessThanOrEqual(1);
   });
 
+  test('microshaders of the gallery are edited, as packages have them, and what does not compile says why @verify', async ({
+    page,
+    site,
+    watch,
+  }) => {
+    await page.goto(`${site}live/index.html?gallery/attenuation-edited-live`);
+    await page.getByLabel('Attenuation, GLSL').fill('float falloff = 0.7 * ;');
+    await expect(page.locator('output')).toContainText('syntax error');
+    await page.getByLabel('Begin with').selectOption('Straight');
+    await expect(page.locator('output')).toBeEmpty();
+    watch.forgive(/syntax error/);
+    await page.goto(`${site}live/index.html?gallery/microshader-toon`);
+    const edited = page.evaluate(async () => {
+      const { live } = window as unknown as LiveWindow;
+      return (await (await live).farol).microshaders.get('shadeSurface')!.header;
+    });
+    expect(await edited).toContain('example_bands(s.diffuse)');
+  });
+
   test('the API is in the navigation and found by name, with an example and a link to the source @verify', async ({
     page,
     site,

@@ -32,11 +32,12 @@ export class CreateError extends Error {}
 
 /**
  * @typedef {object} Project
- * @property {string} folder - whole path
+ * @property {string} folder - absolute path
  * @property {Kind} kind
  * @property {boolean} typescript - false: JavaScript
  * @property {string | null} [scene] - file of the editor's, in place of the sample
- * @property {string | null} [tarballs] - folder that `npm run pack` of a clone of Farol filled, in place of the registry
+ * @property {string | null} [tarballs] - folder that `npm run pack` of a clone of Farol filled, in place of the
+ *   registry
  */
 
 /**

@@ -29,7 +29,7 @@ test('the engine says each message of the table', () => {
   const missing = Object.keys(engine).filter((english) => {
     const text = ofTable(english);
     const parts = [text, ...heads.filter((head) => text.startsWith(head)).map((head) => text.slice(head.length))];
-    // the text of the last parameter may come from elsewhere
+    // the text of the last parameter may be defined in another source file
     return !parts.some((part) => sources.includes(part) || sources.includes(part.replace(/\{\}$/, '')));
   });
   expect(missing).toEqual([]);

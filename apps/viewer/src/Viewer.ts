@@ -135,7 +135,7 @@ export class Viewer {
     this.changed({ quality: name });
   }
 
-  /** @param name - 'auto' is on touch screens */
+  /** @param name - 'auto' means on for touch screens */
   setBudget(name: string): void {
     this.changed({ budget: name });
   }

@@ -7,7 +7,7 @@ import type * as clipboardActions from './clipboard';
 
 let actions: typeof clipboardActions;
 
-// the code of copies is fetched anew in each test
+// the copying code is fetched anew in each test
 beforeEach(async () => {
   vi.resetModules();
   actions = await import('./clipboard');
@@ -32,7 +32,7 @@ it('pastes what was copied just before, while the code of copies is still fetche
   expect(names()).toEqual(['Lamp']);
   await Promise.all([copied, pasted]);
   expect(names()).toEqual(['Lamp', 'Lamp 2']);
-  // from now on at once
+  // the code is fetched by now: actions run at once
   actions.paste.run(editor);
   expect(names()).toEqual(['Lamp', 'Lamp 2', 'Lamp 3']);
 });

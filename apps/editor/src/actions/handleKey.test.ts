@@ -3,7 +3,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { handleKey } from './handleKey';
 
 class FakeElement {
-  /** @param also - a further selector that the element matches */
+  /** A stub element. @param also - another selector that the element matches */
   constructor(
     readonly tagName: string,
     readonly type = 'text',

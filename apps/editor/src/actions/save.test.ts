@@ -45,7 +45,7 @@ class DiskFile {
   }
 }
 
-/** A stub of an editor with an open file, sufficient for saving. */
+/** A stub of an editor with an open file, enough for saving. */
 async function editorOf(disk: DiskFile): Promise<{ editor: EditorApi; said: () => string[] }> {
   const document = new EditorDocument();
   const log = new ConsoleLog();
@@ -72,7 +72,7 @@ beforeEach(() => {
   picked = null;
 });
 
-/** Waits for the next question, other than a known one. */
+/** Waits for a question other than `known`. */
 const question = ({ dialogs }: EditorApi, known: ConfirmDialog | null = null): Promise<ConfirmDialog> =>
   new Promise((resolve) => {
     const look = (): void => {

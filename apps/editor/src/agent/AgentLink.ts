@@ -116,7 +116,7 @@ export const linksChanged = new Signal();
 /** The editor's link to agents; null unless the user allows them. */
 export const linkOf = (editor: EditorApi): AgentLink | null => links.get(editor) ?? null;
 
-/** Lets agents edit. @returns whether the server can; a page that Node or a folder serves cannot */
+/** Lets agents edit. @returns false when the server does not accept agents, as in production builds */
 export async function allowAgents(editor: EditorApi): Promise<boolean> {
   if (links.has(editor)) return true;
   const link = new AgentLink(editor);

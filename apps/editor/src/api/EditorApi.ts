@@ -39,7 +39,7 @@ export interface OpenFile {
 
 /** Stores unsaved changes, for recovery when the tab is killed. */
 export interface DraftKeeper {
-  /** Whether no unsaved edit is missing in the browser's store. */
+  /** Whether all unsaved edits are stored in the browser. */
   readonly isUpToDate: boolean;
   /** Offers unsaved scenes of killed tabs. @returns whether there are any */
   offerRecovery(): Promise<boolean>;

@@ -25,7 +25,7 @@ it('the welcome page is shown once its code is there, and not to a user who has 
   await late;
   expect(dialogs.current).toBeNull();
 
-  // offline the dialog itself says so
+  // offline the dialog reports the missing code itself
   await welcomeUser(editor, true, () => Promise.reject(new Error('offline')))(null);
   expect(dialogs.current).toEqual({ kind: 'welcome', recovery: null });
 });

@@ -65,12 +65,12 @@ it('takes a value that comes after the commit into the same step, unless that wa
   commands.redo();
   expect(lights.map(({ intensity }) => intensity)).toEqual([7, 7]);
 
-  // a press without a value: the late value is its step
+  // a press without a value: the step consists of the late value
   gesture.commit();
   gesture.amend(9);
   gesture.amend(10);
   expect(commands.history).toHaveLength(2);
-  // back to the value before the press: no step
+  // the late value equals the one before the press: no step
   gesture.amend(7);
   expect(commands.history).toHaveLength(1);
   expect(() => gesture.amend(-1)).toThrow(/at least 0/);

@@ -60,7 +60,7 @@ export default class Maker extends component({}) {
     scene.add(maker);
     maker.addComponent('Maker');
     const before = assets.list();
-    // twice: assets of the first run must not be in the way of the second
+    // twice: assets of the first run must not conflict with those of the second
     for (let i = 0; i < 2; i++) {
       simulation.play();
       simulation.advance(0.05);

@@ -9,7 +9,6 @@ import {
 } from '@farol/engine';
 import { checkFieldValue, type FieldOwner, type FieldValue, sameValue } from '@farol/engine/fields';
 import { AddAssets, RemoveAsset } from './commands/AddAssets';
-import { CommandList } from './commands/CommandList';
 import { Sequence } from './commands/Sequence';
 import type { EditorDocument } from './EditorDocument';
 
@@ -97,11 +96,6 @@ export class PlayEdits {
     this.changed.emit();
   }
 
-  /** Called when another scene was opened: forgets the edits made while playing. */
-  abort(): void {
-    this.dismiss();
-  }
-
   /** Keeps a value, as one step of history. @throws Error when its object was removed by Stop */
   keep(change: PlayChange): void {
     const { owner, name, to } = change;
@@ -115,7 +109,7 @@ export class PlayEdits {
   /** Keeps all remaining values, as one step of history. @throws Error as `keep` does; then nothing is kept */
   keepAll(): void {
     if (this.canKeepAll) {
-      this.document.commands.run(new CommandList(t('Kept the edits made while playing'), this.all));
+      this.document.commands.run(Sequence.of(t('Kept the edits made while playing'), this.all));
       this.all = [];
     } else {
       for (const change of this.changes) this.check(change);
@@ -125,7 +119,7 @@ export class PlayEdits {
     this.dismiss();
   }
 
-  /** Forgets the changes made while playing that the user has not kept. */
+  /** Forgets the changes made while playing that the user has not kept, also when another scene was opened. */
   dismiss(): void {
     this.dropAll();
     this.values = [];

@@ -19,7 +19,7 @@ export class Simulation {
   /** @param getScene - returns the document's scene @param edits - receives edits made while playing */
   constructor(
     private readonly getScene: () => Scene,
-    private readonly edits: { begin(): void; end(reset: () => void): void; abort(): void },
+    private readonly edits: { begin(): void; end(reset: () => void): void; dismiss(): void },
   ) {}
 
   get state(): SimulationState {
@@ -61,7 +61,7 @@ export class Simulation {
 
   /** Called when another scene was opened: stops without restoring anything. */
   restart(): void {
-    this.edits.abort();
+    this.edits.dismiss();
     this.enter('stopped');
   }
 

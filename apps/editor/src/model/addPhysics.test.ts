@@ -23,7 +23,7 @@ it('puts a camera on a character that stands below it: the eye stays where it is
   expect(camera.transform.modelMatrix.elements.map((each) => Number(each.toFixed(6)))).toEqual(eye);
   command.undo();
   expect(JSON.stringify(serialize(scene))).toBe(before);
-  // what is no camera becomes a character itself
+  // an object that is no camera becomes a character itself
   const robot = new GameObject('Robot');
   scene.add(robot);
   addPhysics(scene, [robot], 'character').do();

@@ -198,7 +198,7 @@ it('carries prefabs, those within them and what they use; a scene that has them 
   const copy = other.scene.find('Corner')!;
   expect(copy.prefabLink?.prefab).toBe(outer.prefab.id);
   const [made] = instantiatePrefab(other.scene.prefabs.get(outer.prefab.id)!, other.scene.registry).children;
-  // a different 'Wood' is there: prefab and instance name the pasted material
+  // a different 'Wood' exists: prefab and instance use the pasted material's new name
   expect(made.getComponent(ObjectRenderer)!.material).toBe('Wood 2');
   expect(copy.children[0].getComponent(ObjectRenderer)!.material).toBe('Wood 2');
 

@@ -34,9 +34,9 @@ test("shadows of a new document's sun end out of sight, and are fine near the ca
   const scene = makeEmptyScene(new AssetLibrary());
   const sun = scene.find('Sun')!.getComponent(Light)!;
   expect(sun.shadowExtent).toBeGreaterThanOrEqual(100);
-  // metres between texels of the finest map
+  // distance between texels of the finest map (m)
   expect((2 * sun.shadowExtent) / sun.shadowMapSize / 4 ** (scene.settings.shadowCascades - 1)).toBeLessThan(0.02);
-  // metres that shadows are moved by
+  // distance that the bias moves shadows by (m)
   expect(-sun.shadowBias * 8 * sun.shadowExtent).toBeLessThan(0.1);
   const added = await creations(scene)
     .find(({ label }) => label === 'Directional light')!

@@ -73,7 +73,7 @@ it.each(isWhole ? [1, 2, 3, 4] : [1])(
     expect(steps).toBe(0);
     while (commands.redo()) if (!isAt(++steps)) expect.fail(`not what it was after '${commands.undoLabel}'`);
     expect(steps).toBe(states.length - 1);
-    // fewer than were run: stopping undoes what was done while the scene played
+    // fewer than were run, since stopping undoes steps made while the scene played
     expect(steps).toBeGreaterThan(100);
     for (const id of document.selection.ids) expect(document.scene.findById(id)).not.toBeNull();
   },

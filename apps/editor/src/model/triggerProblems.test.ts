@@ -39,7 +39,7 @@ it('tells why a trigger can never fire, and mends each cause', () => {
   lamp.dispose();
   mend('The object that the trigger calls no longer exists.');
   expect(trigger.target).toBeNull();
-  // what waits for a blow needs something solid
+  // collision events need a collider that is no sensor
   trigger.event = 'collisionEnter';
   expect(texts()[0]).toBe('The collider is a sensor: objects pass it, and do not collide.');
   trigger.event = 'pointerClick';

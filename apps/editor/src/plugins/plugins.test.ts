@@ -100,7 +100,7 @@ const plugin: EditorPlugin = {
   panels: [{ id: 'beacons', title: 'Beacons', icon: 'lamp', place: 'right', load: () => Promise.reject(new Error()) }],
 };
 
-/** Everything that a plugin may add to. */
+/** State of everything that a plugin may add to. */
 const partsOf = ({ actions: all, panels: shown, components, fieldEditors, viewport }: EditorApi): unknown => ({
   actions: all.list.map(({ id }) => id),
   panels: shown.list.map(({ id }) => id),
@@ -114,7 +114,7 @@ const partsOf = ({ actions: all, panels: shown, components, fieldEditors, viewpo
 const stateOf = ({ document }: EditorApi): string => JSON.stringify(serialize(document.scene));
 const beaconOf = ({ document }: EditorApi): Component => document.scene.find('Tower')!.getComponent('Beacon')!;
 
-/** A tower with a beacon, as two steps of the history. */
+/** Adds a tower with a beacon, as two steps of history. */
 function addTower({ document }: EditorApi): void {
   const { scene, commands } = document;
   const tower = new GameObject('Tower');

@@ -31,7 +31,7 @@ async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts
     modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
     compile: compileScript,
     run: ({ name, code }) => {
-      // oxlint-disable-next-line no-eval -- stands for the script element that runs the code in a page
+      // oxlint-disable-next-line no-eval -- runs code as a page's script element does
       (0, eval)(code);
       return takeGiven(name);
     },
@@ -56,7 +56,7 @@ test('every file of a scene is a sample that is shown', async () => {
   expect(await readdir(join(root, 'public/scenes'))).toEqual(files.toSorted());
 });
 
-/** Texts of scripts that are checked as the rest of the editor is, by the file that holds them. */
+/** Texts of scripts by the file that contains them, from sources that are type-checked. */
 const checked = {
   'scripts.json': import.meta.glob<string>('./scripts/*.ts', { eager: true, query: '?raw', import: 'default' }),
   'night-in-the-temple.farol': import.meta.glob<string>('./nightScripts/*.ts', {
@@ -104,7 +104,7 @@ describe.each(files)('%s', (file) => {
     for (let i = 0; i < 120; i++) scene.update(1 / 60);
     if (file !== 'prefabs.json') expect(places(scene)).not.toEqual(at);
     scene.reset();
-    // not by toEqual, whose difference would be huge
+    // compared as text: the difference that toEqual prints would be huge
     expect(JSON.stringify(serialize(scene)) === before).toBe(true);
     expect(places(scene)).toEqual(at);
     expect(faults).toEqual([]);
@@ -139,7 +139,7 @@ test('Night in the temple: one walks up the steps, the door opens, lanterns swin
   expect(player.z).toBeLessThan(4);
   key('up', 'KeyW');
   expect(crates()).toBe(pile);
-  // beside the pile of crates, then into it
+  // walks beside the pile of crates, then into it
   const walker = object('Player').getComponent(CharacterController)!;
   walker.teleport([5.2, 0, 18]);
   run(0.2);

@@ -54,7 +54,7 @@ it('keeps the last good text while what is typed cannot be read, and loses nothi
   expect(editing.isBroken('A')).toBe(true);
   expect(source()).toBe(good);
   expect(editing.textOf('A')).toBe(broken);
-  // leaving the script, or saving, keeps the broken text
+  // leaving the script, or saving, commits the broken text
   editing.finish();
   expect(source()).toBe(broken);
   expect(editing.isBroken('A')).toBe(true);

@@ -58,7 +58,7 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
           <Combobox.Popup className="popup search-popup" aria-label={label}>
             <Combobox.Input className="input" placeholder={t('Search')} aria-label={t('Search: {label}', { label })} />
             <Combobox.Empty className="menu-empty">
-              {options.length === 0 ? t('There is none yet.') : t('Nothing matches the search.')}
+              {options.length === 0 ? t('There are none yet.') : t('Nothing matches the search.')}
             </Combobox.Empty>
             <Combobox.List className="menu-list">
               {(option: SearchOption) => (

@@ -19,7 +19,7 @@ import type { ViewPose } from './ViewPose';
 export const NEAREST = 0.05;
 export const FARTHEST = 2000;
 
-/** Orbit distance (m) when the view's centre hits nothing, not even the ground; and the longest distance to a hit. */
+/** Orbit distance (m) when the view hits nothing, not even the ground; and the largest distance taken from a hit. */
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
 

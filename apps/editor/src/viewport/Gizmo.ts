@@ -154,7 +154,7 @@ export class Gizmo {
     return controls !== null && (controls.dragging || (controls.axis !== null && controls.object !== undefined));
   }
 
-  /** Called before each frame: follows the selection. @param isHidden - whether there are no handles now */
+  /** Called before each frame: follows the selection. @param isHidden - whether handles are hidden for now */
   update(camera: Camera, isHidden = false): void {
     const { controls } = this;
     if (controls) {

@@ -5,7 +5,7 @@ import { EditorDocument } from '../model/EditorDocument';
 import { Helpers } from './Helpers';
 import { IconPoints } from './IconPoints';
 import { SceneStamps } from './SceneStamps';
-// fetched already where the helpers fetch it
+// imported here, so that the helpers' late import resolves at once
 import './SelectionLines';
 
 beforeEach(() => {
@@ -15,7 +15,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.unstubAllGlobals());
 
-/** Helpers over a scene of one box; `draw` draws them into nothing. */
+/** Helpers over a scene with one box; `draw` renders them with a stub. */
 function open() {
   const document = new EditorDocument();
   const box = new GameObject('Box');

@@ -2,7 +2,7 @@ import { Matrix4, type Mesh, MeshBasicMaterial, type Scene, SphereGeometry, Vect
 import { expect, it } from 'vitest';
 import { type BallTurn, MaterialBall } from './MaterialBall';
 
-/** Place of a point of the ball in the picture that is drawn of it with a turn. */
+/** Position in the rendered picture of a point of the ball, after a rotation. */
 async function turned(point: readonly [number, number, number], turn: BallTurn): Promise<number[]> {
   const drawn = new Matrix4();
   let wasDrawn = false;

@@ -13,7 +13,7 @@ function street() {
   const group = desk.addComponent(LightGroup);
   const ask = vi.fn<() => void>();
   const stamps = new SceneStamps(document, ask);
-  /** Numbers by which an edit makes `places`, `icons` and the frames asked for grow. */
+  /** Growth of `places` and `icons` by an edit, and whether it requests a frame. */
   const grown = (edit: () => void): readonly [number, number, boolean] => {
     const { places, icons } = stamps;
     ask.mockClear();

@@ -175,7 +175,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.pictureCamera.problem;
   }
 
-  /** Pose and lens of the editor's camera. */
   get viewed(): CameraView {
     return this.pictureCamera.view;
   }
@@ -209,7 +208,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.cameraOf(this.panes.active);
   }
 
-  /** Rectangle of the active view on the page. */
   get bounds(): Bounds {
     return this.panes.bounds;
   }
@@ -292,7 +290,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.parts.drawBall(material, this.document.scene.three.environment, canvas, turn);
   }
 
-  /** Frames the selection, or everything when nothing is selected. */
   focus(): void {
     this.pictureCamera.focus(this.editorCamera);
   }
@@ -302,7 +299,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** Moves the editor's camera to a camera of the scene. */
   alignTo(camera: CameraComponent): void {
     this.lookThrough = null;
     this.pictureCamera.match(camera);

@@ -37,7 +37,6 @@ export abstract class ViewportSettings {
   declare snapTo: SnapTarget;
   /** Whether objects dropped on a surface are rotated so that their y axis is the surface normal. */
   declare alignsToSurface: boolean;
-  /** Point that several objects rotate and scale about. */
   declare pivot: GizmoPivot;
   declare showGrid: boolean;
   declare showIcons: boolean;

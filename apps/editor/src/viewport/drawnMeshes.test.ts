@@ -16,7 +16,7 @@ it('what has its vertices on the GPU alone is a place, without corners or surfac
   object.transform.position = [1, 2, 3];
   scene.add(object);
   scene.three.updateMatrixWorld();
-  // as a script may do, once three has uploaded the array
+  // as a script may, after three has uploaded the array
   for (const attribute of [...Object.values(object.getComponent(ObjectRenderer)!.geometry!.attributes)])
     (attribute as { array: unknown }).array = null;
   const { min, max } = boundsOf([object]);

@@ -9,7 +9,7 @@ camera.lookAt(0, 0, -10);
 camera.updateMatrixWorld();
 const grid = { width: 128, height: 64, tile: 32, slices: 6 };
 
-/** A light in view space, so far before the camera. */
+/** A light in view space, at a distance in front of the camera. */
 const before = (distance: number, radius: number, x = 0, y = 0): Reach => ({
   centre: new Vector3(x, y, -distance).applyMatrix4(camera.matrixWorld),
   radius,
@@ -26,7 +26,7 @@ describe('clusterFill', () => {
   });
 
   it('goes by the distance to the bounds of a cluster', () => {
-    // the middle of the picture is where clusters meet
+    // clusters meet at the middle of the picture
     const right = before(4, 0.05, 0.3, 0.3);
     const reaching = (radius: number, x: number, y: number) =>
       clusterFill([right, before(4, radius, x, y)], camera, grid).fullest;

@@ -20,7 +20,7 @@ const inFile = (end: string): [string, string][] => lab.filter(([path]) => path.
 const words = (table: object): string[] =>
   Object.values(table).flatMap((each: object) => Object.values(each) as string[]);
 
-/** Names that the Lab has of its techniques are keys, the same in each language. */
+/** Labels of Farol's techniques contain keys, which are the same in each language. */
 const ofCompetitors = Object.entries(competitorNames).flatMap(([name, { label, help }]) =>
   name in techniques ? [] : [label, help],
 );
@@ -37,6 +37,7 @@ function allTexts(): string[] {
     ...Object.values(sceneWords).flatMap(({ label, help }) => [label, help]),
     ...[lightKinds, shadings, axisWords, metricWords].flatMap(words),
     ...['Farol’s techniques', 'Other engines', 'System', 'Light##theme', 'Dark', 'Custom', 'other passes'],
+    'A software rasteriser draws here, on the processor: its figures say little about graphics cards.',
     ...['First frame', 'Ten lights more', 'Technique changed', 'Rasteriser'],
     ...['light', 'object', 'pixel', 'layer', 'shadowed light', 'kinds of lights', 'shadings'],
     ...columnsOf([]).flatMap(({ label, help }) => [label, help]),

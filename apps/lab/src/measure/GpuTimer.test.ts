@@ -4,7 +4,7 @@ import { GpuTimer } from './GpuTimer';
 const TIME_ELAPSED_EXT = 0x88bf;
 const GPU_DISJOINT_EXT = 0x8fbb;
 
-/** A context whose queries answer, after some questions, with times in ns. */
+/** A context whose queries have results (ns) after being polled some times. */
 function context(times: readonly number[], { disjoint = false, patience = 3 } = {}) {
   const alive = new Set<number>();
   const result = new Map<number, number>();

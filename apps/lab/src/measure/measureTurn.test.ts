@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { measureTurn } from './measureTurn';
 
-/** A device on a clock of its own: drawing calls take `cpu` ms, frames `gpu` ms beside them, a wait `wait` ms at least. */
+/** A device with a simulated clock: calls take `cpu` ms, frames `gpu` ms in parallel, a wait at least `wait` ms. */
 function device({ cpu = 0.2, gpu = 1, wait = 0.5, timer = true } = {}) {
   let clock = 0;
   let done = 0;
@@ -37,7 +37,7 @@ function device({ cpu = 0.2, gpu = 1, wait = 0.5, timer = true } = {}) {
 describe('measureTurn', () => {
   it('takes the wait off, and many frames as one sample', async () => {
     const { frame, cpu, gpu } = await measureTurn(device(), 400);
-    // 0.2 ms before the first frame begins on the GPU, shared by the batch
+    // the GPU begins 0.2 ms after the first call, a delay shared by the frames of the batch
     for (const ms of frame) expect(ms).toBeCloseTo(1, 1);
     for (const ms of cpu) expect(ms).toBeCloseTo(0.2);
     expect(gpu).toEqual(gpu!.map(() => 1));
@@ -71,7 +71,7 @@ describe('measureTurn', () => {
     expect([frame, cpu, gpu].map((samples) => samples!.length)).toEqual([3, 3, 3]);
     expect(frame[0]).toBeCloseTo(2010);
     expect(cpu[0]).toBe(10);
-    // one to see how long a frame is
+    // one frame to measure the length of a frame
     expect(measured.counts().frames).toBe(7);
   });
 

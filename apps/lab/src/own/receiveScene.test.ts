@@ -37,7 +37,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** Waits for a scene, as far as the question for it. */
+/** Begins to receive a scene, up to the request for it. */
 async function receive(search: string, opener: ReturnType<typeof fakeOpener> | null = fakeOpener()) {
   const host = fakeHost(search, opener);
   const outcome = receiveScene({ host: host as never }).catch((error: Error) => error.message);

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { compareRuns } from './compareRuns';
 import { testRun } from './testing/testRun';
 
-/** A run on another machine: `deferred` takes half the time, `forward` the double. */
+/** A run on another machine: `deferred` takes half the time, `forward` twice. */
 function elsewhere() {
   const run = testRun({ id: 'elsewhere' });
   for (const row of run.rows) {
@@ -48,9 +48,9 @@ describe('compareRuns', () => {
 
   it('takes the mean of the logarithms: twice and half make one', () => {
     const b = elsewhere();
-    b.rows[0].gpu!.median = 4; // 0.5 / 4
-    b.rows[2].gpu!.median = 10; // 10 / 10
-    b.rows[4].gpu!.median = 0.5; // 4 / 0.5
+    b.rows[0].gpu!.median = 4; // ratio 0.5 / 4
+    b.rows[2].gpu!.median = 10; // ratio 10 / 10
+    b.rows[4].gpu!.median = 0.5; // ratio 4 / 0.5
     expect(compareRuns(testRun(), b).competitors[0].ratio).toBeCloseTo(1, 12);
   });
 

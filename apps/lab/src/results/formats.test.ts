@@ -6,7 +6,7 @@ import { csvColumns, runCSV } from './runCSV';
 import { runMarkdown } from './runMarkdown';
 import { testRow, testRun } from './testing/testRun';
 
-/** Reads CSV by RFC 4180, with nothing of the code that wrote it. */
+/** Reads CSV by RFC 4180, independently of the code that writes it. */
 function readCSV(csv: string): string[][] {
   const rows: string[][] = [];
   let cells: string[] = [];
@@ -100,11 +100,11 @@ describe('runMarkdown', () => {
     expect(markdown).toMatch(/^# Kitchen laptop\n/);
     expect(markdown).toContain('| N × N planes | M × M lights | Farol: forward | Farol: deferred |');
     expect(markdown).toContain('| 1 | 10 | 20 | **4** |');
-    // frames a second
+    // frames per second
     expect(markdown).toContain('| 1 | 10 | 50 | 250 |');
     expect(markdown).toContain('| 640 × 360 | 8 | **3** |');
     expect(markdown).toContain('- Farol: 0.1.0 (922d2a6); three 0.187.0');
-    // every line of a table has the cells that its heading has
+    // each row of a table has as many cells as its heading
     for (const table of markdown.split('\n\n').filter((block) => block.startsWith('|'))) {
       const widths = table
         .trim()

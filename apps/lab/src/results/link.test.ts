@@ -31,7 +31,7 @@ describe('linkOf and configurationOf', () => {
         '&size=1920x1080&techniques=deferred,stock,babylon&rounds=5&turn=250&changes=yes&longest=4000&seconds=30',
     );
     expect(configurationOf(link)).toEqual({ configuration: own, problems: [] });
-    // as a browser hands it over
+    // encoded as a browser returns it
     expect(configurationOf(new URL(`http://localhost/${link}`).hash)).toEqual({ configuration: own, problems: [] });
   });
 

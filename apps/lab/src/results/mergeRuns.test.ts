@@ -57,7 +57,7 @@ describe('remainingPlan', () => {
     const problem = 'Not measured: the run’s limit of 80 s was reached.';
     const rows = whole.rows.with(1, { ...whole.rows[1], frame: null, problem });
     expect(remainingPlan({ ...whole, rows }).series.map(({ values }) => values)).toEqual([[4]]);
-    // a row that says why it can never be measured is done with
+    // a row with a permanent problem is not measured again
     const refused = whole.rows.with(1, { ...whole.rows[1], frame: null, problem: 'Too many lights.' });
     expect(remainingPlan({ ...whole, rows: refused }).series).toEqual([]);
   });
@@ -89,7 +89,7 @@ describe('mergeRuns', () => {
     ];
     const rest = testRun({ id: 'later', name: '', plan, rows, duration: 5000 });
     const merged = mergeRuns(whole.plan, [early, rest]);
-    // what was measured once more stands in place of the earlier figure
+    // the second measurement replaces the first
     const expected = whole.rows.with(2, testRow('forward', 'planes-lights', 1, 21));
     expect(merged).toEqual({ ...whole, rows: expected });
   });

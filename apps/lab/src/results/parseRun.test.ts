@@ -3,7 +3,7 @@ import type { LabRun } from './LabRun';
 import { LONGEST_RUN, parseRun } from './parseRun';
 import { testRun } from './testing/testRun';
 
-/** The run's JSON with one value in another's place. */
+/** The run's JSON with one value replaced. */
 function changed(path: (string | number)[], value: unknown): string {
   const run = JSON.parse(JSON.stringify(testRun()));
   const last = path.at(-1)!;
@@ -95,11 +95,11 @@ describe('parseRun', () => {
     const poison = '"__proto__":{"polluted":true}';
     const inVersions = JSON.stringify(testRun()).replace('"versions":{', `"versions":{${poison},`);
     expect(() => parseRun(inVersions)).toThrow(/versions has an entry "__proto__"/);
-    // one that is not known is left out
+    // an unknown field is dropped
     const atTop = parseRun(JSON.stringify(testRun()).replace('{', `{${poison},`)) as LabRun & { polluted?: boolean };
     expect(atTop.polluted).toBeUndefined();
     expect(Object.getPrototypeOf(atTop)).toBe(Object.prototype);
-    // a field that the file lacks is not looked for in prototypes
+    // a missing field is not read from a prototype
     expect(() => parseRun(changed(['plan'], undefined))).toThrow(/plan is missing/);
     expect({}).not.toHaveProperty('polluted');
   });

@@ -33,7 +33,7 @@ it('names the short version where the browser refuses the long one', async () =>
 });
 
 it.each([
-  ['0.3.0', 'Windows 0.3.0'], // 8.1
+  ['0.3.0', 'Windows 0.3.0'], // Windows 8.1
   ['1.0.0', 'Windows 10'],
   ['10.0.0', 'Windows 10'],
   ['13.0.0', 'Windows 11'],

@@ -34,7 +34,7 @@ describe('Forecast', () => {
     forecast.note('atrium', 'multipass', 'frame', 10, 100);
     expect(forecast.refuses('atrium', 'multipass', 210)).toMatch(/^Left out: its first frame would take about 2\.1 s/);
     expect(forecast.refuses('atrium', 'multipass', 100)).toBeNull();
-    // what is known of one series or competitor says nothing of another
+    // times of one series or competitor do not affect another
     expect(forecast.refuses('planes', 'multipass', 10_000)).toBeNull();
     expect(forecast.refuses('atrium', 'deferred', 10_000)).toBeNull();
   });

@@ -13,7 +13,7 @@ const surroundings: LabSurroundings = {
   ...{ build: '', versions: {}, command: null, warnings: [] },
 };
 
-/** A stage whose competitors take a fixed time (ms) a frame, and which writes down what is asked of it. */
+/** A stage whose competitors take a fixed time per frame (ms), and which records its calls. */
 function fakeStage(times: Record<string, number>, said: string[]) {
   let clock = 0;
   const alive = new Set<string>();
@@ -155,7 +155,7 @@ describe('runPlan', () => {
     const said: string[] = [];
     const stage = fakeStage({ stock: 100, deferred: 100 }, said);
     const run = await runPlan(smallPlan(['stock', 'deferred'], { limit: 4000 }), options(stage));
-    // the second case begins in time, and opening its first competitor takes the rest of it
+    // the second case begins in time, but opening its first competitor uses up the rest
     expect(said.slice(said.lastIndexOf('open stock 100'))).toEqual(['open stock 100', 'close stock']);
     expect(run.rows.slice(2).map(({ problem }) => problem)).toEqual([
       'Not measured: the run’s limit of 4 s was reached.',

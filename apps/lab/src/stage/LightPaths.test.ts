@@ -26,7 +26,7 @@ describe('LightPaths', () => {
       const next = at(seconds + 0.001);
       longest = Math.max(longest, Math.abs(next.x - x), Math.abs(next.y - y));
     }
-    // 1.5 m/s in a thousandth of a second; and it does move
+    // 1.5 m/s for a thousandth of a second; the next line checks that the light moves
     expect(longest).toBeLessThanOrEqual(0.0015);
     expect(longest).toBeGreaterThan(0.0005);
   });

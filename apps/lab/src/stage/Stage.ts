@@ -55,7 +55,7 @@ export interface Stage {
   setOwnScene(file: Uint8Array): Promise<void>;
   /** Graphics device by WEBGL_debug_renderer_info, its features, and the name of the WebGPU adapter. */
   device(): Promise<{ renderer: string; timer: boolean; software: boolean; webgpu: string | null }>;
-  /** Lets `auto` learn in a case, see `learnCase`. Absent in older builds, as is the next member. */
+  /** Lets `auto` learn in a case, see `learnCase`. Absent in older builds, as are the next two members. */
   learn?(labCase: LabCase, signal: AbortSignal, onShare: (share: number) => void): Promise<void>;
   /** Techniques that `auto` has learnt in this browser. */
   learnt?(): Promise<LearntChoice[]>;

@@ -75,7 +75,7 @@ describe('StageScenes', () => {
     const { still, three } = await scenes.build(named('temple', { lights: 4 }));
     const count = (type: string) => still.filter((light) => light.type === type).length;
     expect(['DirectionalLight', 'HemisphereLight', 'SpotLight'].map(count)).toEqual([1, 1, 6]);
-    // the sky of a hemisphere light is where three sees it from
+    // three reads the sky's direction from the position of a hemisphere light
     expect(still.find(({ type }) => type === 'HemisphereLight')!.position.toArray()).toEqual([0, 1, 0]);
     three.updateMatrixWorld();
     const spot = still.find(({ type }) => type === 'SpotLight') as unknown as { target: Object3D };
@@ -163,7 +163,7 @@ describe('StageScenes', () => {
     const place = new Vector3().setFromMatrixPosition(meshesOf(scene)[0].matrixWorld);
     expect(place.distanceTo(box.position)).toBeCloseTo(0);
     expect(place.length()).toBeGreaterThan(0.01);
-    // what stands still costs nothing
+    // objects that do not move are not updated
     scene.setTime(2);
     expect(meshesOf(scene).map(({ matrixWorldNeedsUpdate }) => matrixWorldNeedsUpdate)).toEqual([true, false]);
   });
@@ -246,7 +246,7 @@ describe('StageScenes', () => {
     expect(prewarm).toBe(life[0]);
     scene.setTime(0.5);
     expect(emitter!.time).toBeCloseTo(0.5);
-    // the stage puts its clock back once the picture is drawn
+    // the stage resets its clock after the picture was drawn
     scene.setTime(0.1);
     scene.setTime(0.2);
     expect(emitter!.time).toBeCloseTo(0.6);

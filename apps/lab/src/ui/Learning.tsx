@@ -81,7 +81,7 @@ export function Learning({ stage, isBusy }: { stage: StageState; isBusy: boolean
       </div>
       {share !== null && <progress value={share} max={1} aria-labelledby="learning-title" />}
       {device !== null && !canTime && (
-        <p class="dim">{t('Nothing can be learnt here: there is no timer of the GPU.')}</p>
+        <p class="dim">{t('Nothing can be learnt here: the device has no GPU timer.')}</p>
       )}
       {problem && (
         <p class="problem" role="alert">

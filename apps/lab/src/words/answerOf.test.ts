@@ -4,7 +4,7 @@ import { madeUpRun } from './testing/madeUpRun';
 
 test('the answer is who wins most cases, a tie being a win of each; few and many lights are told apart', () => {
   const run = madeUpRun([10, 100, 1000], {
-    auto: [0.5, 0.5, 0.5], // draws by one of the others
+    auto: [0.5, 0.5, 0.5], // excluded, since it draws by one of the others
     forward: [1, 30, 300],
     deferred: [2, 3, 40],
     'tiled-deferred': [2, 3.02, 10],

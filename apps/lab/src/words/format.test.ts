@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { formatBytes, formatDate, formatNumber } from './format';
 
 test('dates are of this machine’s time zone; what is no date stays as it is', () => {
-  // without a zone it is local time
+  // a time without a zone is local
   expect(formatDate('2026-11-22T18:11:00').replaceAll('\u202f', ' ')).toBe('Nov 22, 2026, 6:11 PM');
   expect(formatDate('once')).toBe('once');
 });

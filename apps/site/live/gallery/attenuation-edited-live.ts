@@ -41,11 +41,13 @@ const lights = Array.from({ length: 7 }, (_, i) => {
 });
 
 const chunk = farol.microshaders.get('lightAttenuation')!;
-const place =
+// the packages have no blanks round operators
+const line = /float falloff ?= ?window[^;]*;/;
+const original =
   'float falloff = window * window / max(decay == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * decay), 0.01);';
 const presets: Record<string, string> = {
   Rings: 'float falloff = 0.6 * window * smoothstep(-0.2, 0.5, sin(9.0 * sqrt(distanceSquared)));',
-  'As three has it': place,
+  'As three has it': original,
   'A plain disc': 'float falloff = 0.5 * step(ratioSquared, 0.5);',
   Straight: 'float falloff = 0.7 * max(0.0, 1.0 - sqrt(ratioSquared));',
 };
@@ -63,7 +65,7 @@ panel.append(select, text, problem);
 document.body.append(panel);
 function compile(): void {
   try {
-    farol.microshaders.replace('lightAttenuation', { ...chunk, header: chunk.header.replace(place, text.value) });
+    farol.microshaders.replace('lightAttenuation', { ...chunk, header: chunk.header.replace(line, () => text.value) });
     problem.value = '';
   } catch (error) {
     problem.value = String(error).slice(0, 200); // the last good one goes on drawing

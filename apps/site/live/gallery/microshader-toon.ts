@@ -22,14 +22,15 @@ const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
 controls.update();
 
-// the chunk that ends the lighting of a G-buffer pixel; its diffuse light goes through steps
+// the chunk that ends the lighting of a G-buffer pixel; its diffuse light goes through steps. The packages' GLSL has no
+// blanks round operators
 const chunk = farol.microshaders.get('shadeSurface')!;
 const bands = `vec3 example_bands(vec3 light) { return floor(light * 3.0 + 0.6) / 3.0; }\n`;
 const toon = {
   ...chunk,
   header: chunk.header
     .replace('vec3 farol_endShading', `${bands}vec3 farol_endShading`)
-    .replaceAll('s.diffuse * albedo', 'example_bands(s.diffuse) * albedo'),
+    .replaceAll(/s\.diffuse ?\* ?albedo/g, 'example_bands(s.diffuse) * albedo'),
 };
 farol.microshaders.replace('shadeSurface', toon);
 

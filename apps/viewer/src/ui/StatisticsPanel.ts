@@ -10,7 +10,7 @@ const labels: Readonly<Record<string, string>> = Object.fromEntries(
 const counted = (values: Readonly<Record<string, number>>): Record<string, string> =>
   Object.fromEntries(Object.entries(values).map(([name, value]) => [name, formatCount(value)]));
 
-/** Frame rate, counts and times of passes; `frameDrawn` after each frame updates the page about 4 times per second. */
+/** Frame rate, counts and times of passes. Call `frameDrawn` after each frame; the page is updated 4 times a second. */
 export class StatisticsPanel {
   readonly element = document.createElement('div');
 

@@ -14,7 +14,7 @@ import { StatisticsPanel } from './StatisticsPanel';
 /** Ignores a failure that a message on the page already explains. */
 const ignore = () => {};
 
-/** Label of an anti-aliasing in the menu. */
+/** Menu label of an anti-aliasing method. */
 function labelOf(name: string): string {
   return name === 'none' ? t('None') : t(effectEntries[name].label);
 }

@@ -15,7 +15,7 @@ export function browserLanguage(): AttachLanguage {
   return names.find((name): name is AttachLanguage => Object.hasOwn(texts, name)) ?? 'en';
 }
 
-/** Sets the language of everything made from now on, for all attached editors of the page. */
+/** Sets the language of all panels made after this call, for all attached editors of the page. */
 export function speak(language: AttachLanguage): void {
   setTexts(texts[language], language);
 }

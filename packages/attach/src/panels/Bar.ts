@@ -53,7 +53,7 @@ export class Bar {
       made.addEventListener('click', run);
       return made;
     };
-    // the words and icons of Farol's own editor
+    // texts and icons equal those of Farol's own editor
     const iconButton = (name: IconName, text: string, run: () => void) => {
       const made = button('', run);
       made.append(icon(name));

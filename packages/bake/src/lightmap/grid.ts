@@ -9,7 +9,7 @@ export interface Grid {
   readonly places: WebGLRenderTarget;
   /** Positions moved out of walls by settle.glsl; null where `places` has the final ones. */
   readonly settled: WebGLRenderTarget | null;
-  /** Sums of samples, two textures: all light, and the luminance of light that does not come straight from lights. */
+  /** Sums of samples, two textures: all light, and the luminance of light from sky and emissive surfaces. */
   readonly sums: WebGLRenderTarget;
   /** Two targets of filtered light: a filter reads the first and writes the second. */
   readonly light: WebGLRenderTarget[];

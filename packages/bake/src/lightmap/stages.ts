@@ -51,9 +51,9 @@ export interface StageSource {
   ): FullscreenPass;
 }
 
-/** Samples per texel of one draw: fixed, so that sums are rounded alike however fast the GPU is. */
+/** Samples per texel of one draw: constant, so that sums are rounded equally on GPUs of any speed. */
 const SAMPLES_OF_A_DRAW = 4;
-/** Samples per texel of lights with soft shadows; texels whose first few agree stop earlier. */
+/** Samples per texel of lights with soft shadows; texels whose first samples are equal stop earlier. */
 const softSamples = (samples: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
 /**

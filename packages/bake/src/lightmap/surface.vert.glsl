@@ -1,4 +1,4 @@
-// Lays surfaces out in their lightmap
+// Draws surfaces at their lightmap UVs
 // three.js
 in vec3 position;
 in vec3 normal;

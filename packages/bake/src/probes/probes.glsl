@@ -52,7 +52,7 @@ void main() {
         if (farol_emitterCount > 0) light += textureLod(farol_emission, at, 0.0).rgb;
       }
     } else farol_backs += 1.0;
-    // a sphere has 4 pi of solid angle
+    // the solid angle of a sphere is 4 pi
     farol_add(12.566371 * light, along);
     for (int l = 0; l < farol_endlessLights + list.y; l++) {
       int which = farol_listedLight(list, l);

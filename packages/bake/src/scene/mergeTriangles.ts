@@ -56,7 +56,7 @@ interface Piece {
   readonly surface: StaticMesh['surfaces'][number];
 }
 
-/** Area (m²) below which a triangle is left out. */
+/** Area (m²) below which a triangle is omitted. */
 const NO_AREA = 1e-16;
 
 /**

@@ -79,7 +79,7 @@ export class ChartPacker {
     return true;
   }
 
-  /** Second UVs of the vertices of a mesh, 0 to 1. */
+  /** Lightmap UVs of a mesh's vertices, 0 to 1. */
   uv1Of(mesh: number): Float32Array {
     const { uvs } = this.surfaces[mesh];
     const uv1 = new Float32Array(uvs.length);

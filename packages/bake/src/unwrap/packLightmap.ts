@@ -4,7 +4,7 @@ import type { UnwrappedMesh } from './UnwrapRequest';
 
 /** Meshes of one lightmap, with their texel density. */
 export interface Packed {
-  /** Resulting density: charts are rounded to whole texels. */
+  /** Resulting density, after charts were rounded to whole texels. */
   readonly texelsPerMetre: number;
   /** Meshes in the order of the given surfaces. */
   readonly meshes: readonly Omit<UnwrappedMesh, 'lightmap'>[];

@@ -1,6 +1,6 @@
 import type { FieldValue } from './Field';
 
-/** A field's declaration as editors read it; the fields of @farol/engine have this shape. */
+/** Declaration of a field for editors; the fields of @farol/engine have this form. */
 export interface FieldDescription {
   /** 'number', 'angle' (radians), 'vector3', 'euler' (radians), 'colour' (linear), 'boolean', … */
   readonly kind: string;

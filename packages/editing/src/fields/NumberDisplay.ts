@@ -2,17 +2,17 @@ import { toDegrees, toRadians } from './angles';
 import type { FieldDescription } from './FieldTarget';
 import { stepOf } from './stepOf';
 
-/** Unit, limits and step in which a field's numbers are shown and typed, with the conversion in both directions. */
+/** Unit, limits and step of a field's displayed and typed numbers, with conversion in both directions. */
 export interface NumberDisplay {
   /** Displayed unit, such as '°'; undefined for a pure number. */
   readonly unit?: string;
   readonly min?: number;
   readonly max?: number;
-  /** Step of arrow keys and dragging, in the shown unit; above 0. */
+  /** Step of arrow keys and dragging, in the displayed unit; above 0. */
   readonly step: number;
-  /** Converts from the field's unit to the shown unit. */
+  /** Converts from the field's unit to the displayed unit. */
   toShown(value: number): number;
-  /** Converts from the shown unit to the field's unit. */
+  /** Converts from the displayed unit to the field's unit. */
   fromShown(shown: number): number;
 }
 

@@ -4,7 +4,7 @@
  */
 export const shownDecimals = { long: 5, short: 3 } as const;
 
-/** Numbers below this are shown as 0: they are rounding errors. */
+/** Numbers smaller than this are displayed as 0, as rounding errors. */
 const SMALLEST = 1e-8;
 
 /** Decimals by step: one more than the step has, at least two, and three significant digits of small numbers. */

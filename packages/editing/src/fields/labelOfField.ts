@@ -1,6 +1,6 @@
 import { t } from '../language/translate';
 
-/** The label of a field in English: its own, else its name in words, 'castShadow' as 'Cast shadow'. */
+/** The English label of a field: the declared one, else its name in words, 'castShadow' as 'Cast shadow'. */
 export function englishLabelOfField(name: string, field: { readonly label?: string }): string {
   if (field.label) return field.label;
   const words = name.replaceAll(/([a-z0-9])([A-Z])/g, '$1 $2').toLowerCase();

@@ -20,7 +20,7 @@ export interface NumberEdit {
   valueFor(before: number): number;
 }
 
-/** Range and unit of a number as the editor shows it. */
+/** Range and unit of a number as displayed. */
 export interface NumberRange {
   /** Unit of numbers typed without a unit. */
   readonly unit?: string;

@@ -1,4 +1,4 @@
-/** Number of decimals that are kept beyond those of the step. */
+/** Number of decimals kept in addition to the step's. */
 const BEYOND = 9;
 
 /**

@@ -1,4 +1,4 @@
-/** Languages of the apps, each with its own name for itself. */
+/** Languages of the apps, each with its name in that language. */
 export const languages = { en: 'English', es: 'Español' } as const;
 
 /** Codes of the languages of the apps. */

@@ -32,7 +32,7 @@ export async function showPageLanguage(language: Language, fetchSpanish: FetchTe
   try {
     localStorage.setItem(KEY, language);
   } catch {
-    // the choice lasts until the page is left
+    // without storage the choice lasts until the page is left
   }
   return true;
 }

@@ -26,8 +26,8 @@ export interface Animated extends Component {
 const CHANGES_FIELDS: ReadonlySet<string> = new Set(['surface', 'model', 'parts']);
 
 /**
- * Plays the animations of a scene: all are evaluated, then shared channels are blended and applied, then events are
- * called.
+ * Plays the animations of a scene: evaluates all clips, blends and applies the channels that they share, then calls
+ * events.
  */
 export class AnimationSystem implements SceneSystem {
   readonly order = 100;
@@ -167,8 +167,8 @@ export class AnimationSystem implements SceneSystem {
   }
 
   /**
-   * As `GameObject.callMethod`, but errors of one component do not stop the others, and methods of Component itself are
-   * not called.
+   * Calls a method like `GameObject.callMethod`, but an error of one component does not stop the others, and methods of
+   * Component itself are not called.
    */
   private callMethod(gameObject: GameObject, { method, value }: ClipEvent): void {
     if (method in Component.prototype) return;

@@ -32,7 +32,7 @@ export interface PlayerHost {
 export class ClipPlayer {
   wrap: ClipWrap;
   isPaused = false;
-  /** Bindings are out of date; `evaluate` rebinds the clip first. */
+  /** Whether bindings are out of date, so that `evaluate` rebinds the clip first. */
   isStale = true;
   private bound = nothing;
   private clip: ClipAsset | ModelClip | null = null;

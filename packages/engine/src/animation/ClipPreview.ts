@@ -4,9 +4,7 @@ import type { ClipData } from '../assets/clips/ClipData';
 import { trackTarget } from './trackTarget';
 import { valueAt } from './valueAt';
 
-/**
- * Shows a clip at a time on an object tree, for scrubbing: neither an edit nor saved. For a scene that does not play.
- */
+/** Shows a clip at a time on an object tree, for scrubbing in a stopped scene: neither an edit nor saved. */
 export class ClipPreview {
   private readonly previewed = new Map<Component, Set<string>>();
 

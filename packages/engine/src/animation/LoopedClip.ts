@@ -5,7 +5,7 @@ import { FieldChannel, NodeChannel } from './Channel';
 import { wrapTime } from './clipEvents';
 import type { ModelInScene } from './modelsBelow';
 
-/** Plays one clip of a model in an endless loop, for ModelRenderer and Animator of older files. */
+/** Plays one clip of a model in an endless loop, for fields of ModelRenderer and Animator in older files. */
 export class LoopedClip {
   private readonly bound: BoundClip;
 

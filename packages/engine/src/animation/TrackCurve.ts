@@ -51,7 +51,7 @@ export class TrackCurve {
 
   /**
    * Index of the last key at or before a time; -1 before the first key.
-   * @param near - index found last time, where the search begins
+   * @param near - index of the last call, where the search begins
    */
   indexAt(time: number, near = 0): number {
     const { times, count } = this;
@@ -103,7 +103,7 @@ export class TrackCurve {
   }
 }
 
-/** Why a track cannot be played on a field, as "key 3: must be …"; null when it can. Each track is checked once. */
+/** Reason why a track cannot be played on a field, as "key 3: must be …"; null when it can. Cached per track. */
 export function problemWithTrack(track: ClipTrack, field: Field): string | null {
   const known = checked.get(track);
   if (known?.field === field) return known.problem;
@@ -129,7 +129,7 @@ interface Made {
 
 const made = new WeakMap<ClipTrack, Made>();
 
-/** The curve of a track for a field, made once. `problemWithTrack` says whether it can be played. */
+/** The curve of a track for a field, cached. Check with `problemWithTrack` first that the track can be played. */
 export function curveOf(track: ClipTrack, field: Field): TrackCurve {
   const known = made.get(track);
   if (known?.field === field) return known.curve;

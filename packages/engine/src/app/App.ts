@@ -66,7 +66,7 @@ export class App {
   private aspectWidth = 1;
   private aspectHeight = 1;
 
-  /** @throws Error when the browser has no WebGL 2, or there is no such technique */
+  /** @throws Error when the browser has no WebGL 2, or the technique is unknown */
   constructor(options: AppOptions = {}) {
     this.ownsWebgl = !options.webgl;
     this.ownsCanvas = !options.webgl && !options.canvas;

@@ -31,7 +31,7 @@ export class InputRouter {
 
   /**
    * @param surface - the canvas
-   * @param keys - where key events are heard, such as the window; null for none
+   * @param keys - target that gets the key listeners, such as the window; null for none
    */
   constructor(
     private readonly surface: InputSurface,

@@ -9,7 +9,7 @@ export interface MicroShaderProblem {
 
 const asError = (error: unknown): Error => (error instanceof Error ? error : new Error(String(error)));
 
-/** Brings the microshaders of scenes (`scene.microShaders.texts`) into the registry of one renderer. */
+/** Applies the microshaders of scenes (`scene.microShaders.texts`) to the registry of one renderer. */
 export class MicroShaderOverrides {
   /** Texts of the scene that are in the registry now, by chunk name. */
   private readonly applied = new Map<string, string>();

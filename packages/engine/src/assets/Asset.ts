@@ -7,8 +7,8 @@ import type { Model, ModelClip } from './Model';
 import type { Sound } from './Sound';
 
 /**
- * Loaded form of an asset: an object of three's. A shader is a ShaderMaterial or RawShaderMaterial, used as it is;
- * scripts and clips are data.
+ * Loaded form of an asset: an object of three's. A shader is a ShaderMaterial or RawShaderMaterial; scripts and clips
+ * are data.
  */
 export type Asset =
   | BufferGeometry
@@ -73,7 +73,7 @@ export interface TakenAsset {
   readonly parts: readonly TakenAsset[];
 }
 
-/** Change of an asset library, as its listeners get it. */
+/** Change of an asset library, the argument of its listeners. */
 export type AssetChange =
   | {
       readonly kind: 'registered' | 'loaded' | 'failed' | 'removed';

@@ -14,7 +14,7 @@ import { DerivedAssets } from './DerivedAssets';
 
 export type { AssetLibraryOptions } from './LoadedAssets';
 
-/** The meshes, textures, materials and shaders that scenes name. Built-in ones are made on demand. */
+/** The meshes, textures, materials and shaders that scenes refer to by name. Built-in ones are made on demand. */
 export class AssetLibrary extends DerivedAssets implements MaterialHost, SurfaceHost {
   /** Materials made from the fields of ObjectRenderers, shared where the values are equal. */
   readonly materials = new MaterialCache(this);
@@ -128,7 +128,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   }
 
   /**
-   * Removes an asset with its parts so that `restore` can put it back; objects that use it keep it.
+   * Removes an asset with its parts, for `restore` to add it again; objects that use it keep it.
    * @throws AssetError when there is no asset of this name
    */
   take(name: string): TakenAsset {
@@ -140,7 +140,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     return { name, source, value, parts };
   }
 
-  /** Puts back an asset removed by `take`. @throws AssetError when the name is in use again */
+  /** Adds an asset again that `take` has removed. @throws AssetError when the name is in use again */
   restore({ name, source, value, parts }: TakenAsset): void {
     this.checkFree(name);
     this.sources.set(name, source);
@@ -151,7 +151,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     if (source.type === 'surface') this.surface(name)?.begin();
   }
 
-  /** Removes an added asset with its parts; objects that use it keep it. The asset itself is not disposed of. */
+  /** Removes an added asset with its parts; objects that use it keep it. The asset is not disposed of. */
   unregister(name: string): void {
     const source = this.sources.get(name);
     if (!source) return;

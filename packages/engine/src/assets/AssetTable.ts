@@ -42,7 +42,7 @@ export abstract class AssetTable {
     return (source && 'url' in source && source.url) || null;
   }
 
-  /** Null when `name` is an asset of this type, else what is wrong: "names the mesh 'x', which is unknown; …". */
+  /** Null when `name` is an asset of this type, else the problem: "names the mesh 'x', which is unknown; …". */
   problemWith(type: AssetType, name: string): string | null {
     const source = this.sources.get(name);
     if (source?.type === type) return null;

@@ -70,7 +70,7 @@ export class LayeredMaterial {
 
   /** Updates the surfaces after the asset's text or the source's surface changed. */
   refresh(): void {
-    const code = surfaceCode();
+    const code = surfaceCode.code;
     const { surface, surfaceFields } = this.asset;
     if (!code || !surface) return;
     const { text, maps } = this.values;

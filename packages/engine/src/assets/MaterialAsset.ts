@@ -175,7 +175,7 @@ export class MaterialAsset extends FieldAsset {
 
   /** Applies the surface to three's material, once the renderer's late code is loaded. */
   private writeSurface(material: Material): void {
-    const code = surfaceCode();
+    const code = surfaceCode.code;
     if (!code) return;
     const { host, worn } = this;
     const surface = worn?.surface ?? null;

@@ -69,7 +69,7 @@ export class ModelClip {
   dispose(): void {}
 }
 
-/** The textures that a material holds. */
+/** Textures that a material uses. */
 export function texturesOf(material: Material): Texture[] {
   return Object.values(material).filter((value): value is Texture =>
     Boolean((value as { isTexture?: boolean } | null)?.isTexture),

@@ -39,7 +39,7 @@ export class Sound {
   }
 
   private async read(): Promise<AudioBuffer | null> {
-    // decodes without a device, and so without a gesture of the user's
+    // decodes without an audio device, and so without a user gesture
     if (typeof OfflineAudioContext === 'undefined') return null;
     const { checkSound } = await import('../guard/sounds/checkSound');
     this.reserve(checkSound(this.bytes, RATE));

@@ -6,7 +6,7 @@ import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
-import { loadSurfaceCode } from './surfaceCode';
+import { surfaceCode } from './surfaceCode';
 import type { SurfaceAsset } from './SurfaceAsset';
 
 const TEXT = `uniform float height; // = 0.2 [0, 1, 0.01] Height (m)
@@ -32,7 +32,7 @@ function worn() {
   return { scene, assets, waves, sea, renderer, uniforms };
 }
 
-beforeAll(loadSurfaceCode);
+beforeAll(() => surfaceCode.load());
 
 describe('a material that wears a surface', () => {
   test('has its uniforms as fields, whose values reach the renderer', () => {

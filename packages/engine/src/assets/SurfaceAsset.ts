@@ -1,7 +1,7 @@
 import { type FieldTable, type FieldValue, string } from '@farol/editing/fields';
 import type { Surface } from '@farol/renderer/surfaces';
 import { DataAsset, type FieldAssetHost } from './FieldAsset';
-import { loadSurfaceCode, surfaceCode } from './surfaceCode';
+import { surfaceCode } from './surfaceCode';
 import { uniformFieldsOf } from './uniformFields';
 
 export const surfaceFields = {
@@ -65,9 +65,9 @@ export class SurfaceAsset extends DataAsset {
 
   /** @internal Compiles the text, once the asset is in its library. */
   begin(): void {
-    if (surfaceCode()) this.refresh();
+    if (surfaceCode.code) this.refresh();
     else
-      loadSurfaceCode().then(
+      surfaceCode.load().then(
         () => this.refresh(),
         (error: Error) => this.surfaceHost.surfaceChanged(this, error),
       );
@@ -79,7 +79,7 @@ export class SurfaceAsset extends DataAsset {
   }
 
   private refresh(): void {
-    const code = surfaceCode();
+    const code = surfaceCode.code;
     // during construction the library does not know the asset yet
     if (!code || !this.surfaceHost) return;
     const before = this.problem;

@@ -14,7 +14,7 @@ function reflect(this: Material, shader: WebGLProgramParametersWithUniforms): vo
   )}`;
 }
 
-/** Whether the material answers ambient light in another colour than other light. */
+/** Whether the material reflects ambient light in another colour than other light. */
 export const hasAmbientReflection = (material: Material): boolean => material.onBeforeCompile === reflect;
 
 /**

@@ -79,7 +79,7 @@ export class LightsIes implements GLTFLoaderPlugin {
     const light = new PointLight(0xffffff, multiplier * profile.maximumIntensity);
     light.color.setRGB(...(color as [number, number, number]));
     light.name = profile.name;
-    // glTF aims luminaires along -z, three's point lights hang down their -y
+    // glTF aims luminaires along -z; three's point lights with profiles point along -y
     light.rotation.x = Math.PI / 2;
     storeLightOptions(light, { profile: profile.texture });
     const { farolLight } = lists.record(node.extras);

@@ -7,7 +7,7 @@ const lit = { visibleWhen: { field: 'kind', equals: ['standard', 'physical', 'ph
 const physical = { visibleWhen: { field: 'kind', equals: ['physical'] } };
 const part = { min: 0, max: 1, step: 0.01 };
 
-/** Fields that an ObjectRenderer's own material has too, without the condition that it names no asset. */
+/** Fields shared with an ObjectRenderer's own material, without the condition that no material asset is set. */
 function sharedFields(): FieldTable {
   const { kind, map: _map, normalMap: _normalMap, repeat: _repeat, ...others } = materialFields;
   return Object.fromEntries([

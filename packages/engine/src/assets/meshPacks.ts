@@ -1,6 +1,6 @@
 import type { AssetLibrary } from './AssetLibrary';
 
-/** Fetches code that registers a package's meshes with a library; names that it has already keep their assets. */
+/** Fetches a function that registers a package's meshes with a library; existing assets of the same name are kept. */
 export type MeshPack = () => Promise<(assets: AssetLibrary) => void>;
 
 const packs = new Set<MeshPack>();

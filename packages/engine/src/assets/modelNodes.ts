@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
 
-/** Nodes of a model that are drawn together, and the node that they are placed by. */
+/** Nodes of a model that are drawn together, and the node that gives their pose. */
 export interface ModelSubtree {
   /** The node itself if there is one, else the nearest common ancestor. */
   readonly root: Object3D;

@@ -1,6 +1,6 @@
 import type { SurfaceUniform, SurfaceUniforms } from '@farol/renderer/surfaces';
 import type { Texture } from 'three';
-import type { loadSurfaceCode } from './surfaceCode';
+import type { surfaceCode } from './surfaceCode';
 
 /** Source of textures: an AssetLibrary. */
 export interface TextureHost {
@@ -16,7 +16,7 @@ export interface TextureHost {
  * @param again - called once a missing texture is loaded
  */
 export function writeSurfaceMaps(
-  code: Awaited<ReturnType<typeof loadSurfaceCode>>,
+  code: NonNullable<(typeof surfaceCode)['code']>,
   uniforms: readonly SurfaceUniform[],
   values: SurfaceUniforms,
   maps: readonly (string | null)[],

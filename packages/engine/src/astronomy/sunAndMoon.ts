@@ -18,7 +18,7 @@ const sin = (degrees: number): number => Math.sin(degrees * RADIANS);
 const cos = (degrees: number): number => Math.cos(degrees * RADIANS);
 
 /**
- * Julian day of a date of the Gregorian calendar. Days and hours out of range run on into other months and days.
+ * Julian day of a date of the Gregorian calendar. Days and hours out of range carry over into other months and days.
  * @param month - 1 to 12
  * @param hour - universal time, with fractions
  */
@@ -42,7 +42,7 @@ function sunLongitude(t: number): number {
   return mean + centre - 0.00569 - 0.00478 * sin(125.04 - 1934.136 * t);
 }
 
-/** Sine of an amplitude (degrees) at a phase (degrees) and its rate (degrees a century). */
+/** Term of a series: amplitude, phase and rate of a sine (degrees, degrees, degrees per century). */
 type Term = readonly [amplitude: number, phase: number, rate: number];
 
 const sumOf = (terms: readonly Term[], t: number): number =>

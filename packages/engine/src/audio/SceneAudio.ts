@@ -60,7 +60,7 @@ export class SceneAudio implements SceneSystem {
       const source = sources[i];
       if (source.isPlaying && this.isAtEnd(source)) {
         source.stop();
-        // the last of the sound is still being output
+        // the end of the sound is still in the output buffer
         this.voices.delete(source);
       }
       isPlaying ||= source.isPlaying;

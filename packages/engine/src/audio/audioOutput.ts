@@ -31,7 +31,7 @@ class AudioOutput {
    */
   mayBeHeard(context: BaseAudioContext | null): boolean {
     if (typeof AudioContext === 'undefined') return false;
-    // browsers warn of a context made before the user's first press
+    // browsers log a warning for a context made before the user's first press
     const mayBeHeard = globalThis.navigator?.userActivation?.hasBeenActive ?? true;
     this.hold(!mayBeHeard && context?.state !== 'running');
     return !this.isHeldBack;

@@ -1,4 +1,4 @@
-/** Code that most scenes do without, fetched when one first needs it; shared by all scenes of a page. */
+/** Code that most scenes do not need, fetched on first use; shared by all scenes of a page. */
 export class LateCode<Code> {
   /** Fetches of late code that are under way, of all instances. */
   static readonly fetching = new Set<Promise<unknown>>();
@@ -18,6 +18,12 @@ export class LateCode<Code> {
   /** Fetches the code. @throws Error (as a rejection) when it cannot be fetched; try again */
   load(): Promise<Code> {
     return (this.loading ??= this.begin());
+  }
+
+  /** The code; null until it is there: then `again` is called. A failure is told on the console. */
+  codeOr(again: () => void): Code | null {
+    if (this.code === null) this.load().then(again, (error: Error) => console.error(`Farol: ${error.message}`));
+    return this.code;
   }
 
   private begin(): Promise<Code> {

@@ -1,2 +1,2 @@
-/** A number with its thousands apart, for messages. */
+/** Formats a number with separated thousands, for messages. */
 export const counted = (count: number): string => count.toLocaleString('en');

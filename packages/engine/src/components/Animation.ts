@@ -19,8 +19,8 @@ export interface PlayOptions {
 }
 
 /**
- * Plays clips, of a model or clip assets, on its object and all descendants. A value that several clips animate, of one
- * Animation or of several, is their mean by weight.
+ * Plays clips of models and clip assets on its object and all descendants. If several clips animate a value, also from
+ * several Animations, their weighted mean is used.
  */
 export class Animation
   extends component({
@@ -58,7 +58,7 @@ export class Animation
   private players: ClipPlayer[] = [];
   private system: AnimationSystem | null = null;
   private hasStarted = false;
-  /** Scene time (s) from which clips may play. */
+  /** Scene time (s) at which the component entered the scene or was switched; clips start from it. */
   private since = 0;
   private readonly reported = new Set<string>();
 

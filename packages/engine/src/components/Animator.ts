@@ -5,7 +5,7 @@ import { component } from '../core/Component';
 
 /**
  * Kept for older files; use `Animation`. Plays a model's clip on the objects that the model was unpacked into, found by
- * name below this one. While the scene is at its beginning, the objects keep their authored poses.
+ * name below this one. At scene time 0 the objects keep their authored poses.
  */
 export class Animator extends component({
   model: asset('model', null, { help: 'The model whose clips it plays.' }),

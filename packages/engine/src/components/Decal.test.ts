@@ -4,7 +4,7 @@ import { AssetLibrary } from '../assets/AssetLibrary';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { Decal } from './Decal';
-import { decalCode, loadDecalCode } from './decalCode';
+import { decalCode } from './decalCode';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 
@@ -19,9 +19,9 @@ test('it is made once its code is there, if it is still in the scene', async () 
   const early = decalIn(scene);
   const left = decalIn(scene);
   scene.remove(left.gameObject);
-  expect(decalCode()).toBeNull();
+  expect(decalCode.code).toBeNull();
   expect(early.three).toBeNull();
-  await loadDecalCode();
+  await decalCode.load();
   expect(early.three).not.toBeNull();
   expect(left.three).toBeNull();
 });

@@ -12,7 +12,7 @@ import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/Scene';
-import { decalCode, decalsEffect, loadDecalCode } from './decalCode';
+import { decalCode, decalsEffect } from './decalCode';
 
 const blendings = {
   normal: NormalBlending,
@@ -29,7 +29,7 @@ const defaults = Object.fromEntries(
 
 /**
  * Projects a picture on surfaces in a box around the GameObject, along the object's z axis, seen from +z, by three's
- * `Decal` of @farol/renderer/decals; an `App` switches that effect on while its scene has decals. Seen by techniques
+ * `Decal` of @farol/renderer/decals; an `App` switches that effect on while its scene has decals. Drawn by techniques
  * with a G-buffer.
  */
 export class Decal extends component({
@@ -64,7 +64,7 @@ export class Decal extends component({
   static override readonly typeName: string = 'Decal';
   static override readonly icon: string = 'decal';
   static override readonly help: string = 'A picture on whatever surface lies in a box.';
-  /** Decals project along -Z: turned to point down. */
+  /** Rotation to point down, as decals project along -Z. */
   static override readonly newObjects: readonly NewObject[] = [{ label: 'Decal', rotation: [-Math.PI / 2, 0, 0] }];
   static override readonly effect: RequiredEffect = decalsEffect;
 
@@ -77,14 +77,10 @@ export class Decal extends component({
   }
 
   override onEnterScene(scene: Scene): void {
-    const code = decalCode();
-    if (code === null) {
-      loadDecalCode().then(
-        () => this.scene === scene && this.box === null && this.onEnterScene(scene),
-        (error: Error) => console.error(`Farol: ${error.message}`),
-      );
-      return;
-    }
+    const code = decalCode.codeOr(() => {
+      if (this.scene === scene && this.box === null) this.onEnterScene(scene);
+    });
+    if (code === null) return;
     this.material = scene.assets.materials.acquire(this.surface()) as MeshStandardMaterial;
     this.box = new code.Decal(this.material);
     this.box.name = this.gameObject.name;

@@ -145,7 +145,7 @@ export class EventTrigger extends component({
     return found ? methodsOf(found, this.valueType) : [];
   }
 
-  /** Calls the trigger's method as its event would. @param event - passed on when the value is the event */
+  /** Calls the trigger's method as its event would. @param event - the method's argument if the value is the event */
   fire(event: unknown = null): void {
     const { scene } = this;
     if (!scene || !this.isActive || (this.once && this.hasFired)) return;

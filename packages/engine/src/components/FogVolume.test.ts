@@ -3,7 +3,7 @@ import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
-import { loadFogCode } from './fogCode';
+import { fogCode } from './fogCode';
 import { FogVolume } from './FogVolume';
 
 function volumeIn(scene: Scene, values: Parameters<GameObject['addComponent']>[1] = {}): FogVolume {
@@ -17,13 +17,13 @@ test('it is made once its code is there, if it is still in the scene', async () 
   const early = volumeIn(scene);
   const left = volumeIn(scene);
   scene.remove(left.gameObject);
-  await loadFogCode();
+  await fogCode.load();
   expect(early.three?.isFogVolume).toBe(true);
   expect(left.three).toBeNull();
 });
 
 test('its fields are those of the volume that the effect draws, also from a file', async () => {
-  await loadFogCode();
+  await fogCode.load();
   const scene = new Scene();
   const fog = volumeIn(scene, {
     shape: 'sphere',

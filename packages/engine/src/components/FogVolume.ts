@@ -3,11 +3,11 @@ import type { FogVolume as ThreeVolume } from '@farol/renderer/volumetric-fog';
 import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { Scene } from '../core/Scene';
-import { fogCode, loadFogCode } from './fogCode';
+import { fogCode } from './fogCode';
 
 /**
- * Fog in a box or ball around the GameObject, added to that of the scene: `FogVolume` of @farol/renderer/volumetric-fog, fetched when
- * a scene first has one. Seen while the scene's effect "Volumetric fog" is on.
+ * Fog in a box or ball around the GameObject, added to that of the scene: `FogVolume` of
+ * @farol/renderer/volumetric-fog, fetched when a scene first has one. Drawn with the scene's effect "Volumetric fog".
  */
 export class FogVolume extends component({
   shape: choice('box', ['box', 'sphere'], {
@@ -38,14 +38,10 @@ export class FogVolume extends component({
   }
 
   override onEnterScene(scene: Scene): void {
-    const code = fogCode();
-    if (code === null) {
-      loadFogCode().then(
-        () => this.scene === scene && this.volume === null && this.onEnterScene(scene),
-        (error: Error) => console.error(`Farol: ${error.message}`),
-      );
-      return;
-    }
+    const code = fogCode.codeOr(() => {
+      if (this.scene === scene && this.volume === null) this.onEnterScene(scene);
+    });
+    if (code === null) return;
     this.volume = new code.FogVolume();
     this.gameObject.object3D.add(this.volume);
     this.apply();

@@ -2,8 +2,8 @@ import { jointFields } from '../physics/jointFields';
 import { physicsComponent } from '../physics/physicsComponent';
 
 /**
- * Ties the body of its object (that of the object itself or of the nearest one above) to that of another object, or to the
- * world, while the scene plays. Several may be on one object.
+ * Joins the body of its object (or of the nearest ancestor with a body) to another object's body, or to the world,
+ * while the scene plays. An object may have several.
  */
 export class Joint extends physicsComponent(jointFields) {
   static override readonly typeName: string = 'Joint';

@@ -9,7 +9,8 @@ const axis = new Vector3();
 
 /**
  * Moves a GameObject by keys along its own front and right axes, and up and down in the world (thesis 3.2.5.5); on a
- * touch screen by a finger put down on the left half of the picture and dragged. Movement is simulation: not saved, and undone by `scene.reset()`.
+ * touch screen by dragging a finger from the left half of the picture. Movement is simulation: not saved, and undone by
+ * `scene.reset()`.
  */
 export class KeyController extends component({
   front: vector3([0, 0, -1], { help: 'Own axis that the forward key follows.' }),

@@ -70,7 +70,7 @@ export class Light extends component(lightFields) {
   /** Name of the photometric profile that is being loaded; null for none. */
   private waitsFor: string | null = null;
 
-  /** The three light; another one after a change of `type`. @throws Error when the component is on no GameObject */
+  /** The three light; replaced when `type` changes. @throws Error when the component is on no GameObject */
   get three(): ThreeLight {
     if (!this.light) throw new Error('This Light is on no GameObject: add it with gameObject.addComponent.');
     return this.light;
@@ -86,7 +86,7 @@ export class Light extends component(lightFields) {
     return this.gameObject.transform.front;
   }
 
-  /** Linear colour: `diffuse`, or that of the temperature (luminance 1) where the colour is by temperature. */
+  /** Linear colour: `diffuse`, or the colour of the temperature (luminance 1) if the colour is given by temperature. */
   get colour(): Vector3Tuple {
     return this.substitute?.colour ?? colourOfLight(this);
   }
@@ -119,7 +119,7 @@ export class Light extends component(lightFields) {
     return this.range > 0 ? this.range : Infinity;
   }
 
-  /** Puts the light at `eye` and points it at `target`, both in the world; with one argument it only turns. */
+  /** Moves the light to `eye` and points it at `target`, both in world space; with one argument it only turns. */
   lookAt(...args: Parameters<Light['gameObject']['transform']['lookAt']>): void {
     this.gameObject.transform.lookAt(...args);
   }
@@ -183,7 +183,7 @@ export class Light extends component(lightFields) {
     if (master) tintLight(three, master.colour);
   }
 
-  /** Writes the intensity to the three light: that of the field, by the profile and the group's dimmer. */
+  /** Writes the three light's intensity: the field's, adjusted by the profile and by the group's dimmer. */
   private applyIntensity(): void {
     const { three, substitute } = this;
     const isLocal = three instanceof PointLight || three instanceof SpotLight;
@@ -211,7 +211,7 @@ export class Light extends component(lightFields) {
     return null;
   }
 
-  /** Whether the light is drawn: not while it is in the baked lightmaps, or others are shown alone. */
+  /** Whether the light is drawn: false while lightmaps contain it, or other lights are shown alone. */
   private get isDrawn(): boolean {
     const { scene } = this;
     if (!this.enabled || (this.mode === 'baked' && scene?.baked.hides(this.id))) return false;

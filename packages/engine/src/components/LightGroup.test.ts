@@ -11,7 +11,7 @@ import { Light } from './Light';
 import { LightGroup } from './LightGroup';
 import { soloLights } from './lightGroups';
 import { ParticleEmitter } from './ParticleEmitter';
-import { loadParticleCode } from './particleCode';
+import { particleCode } from './particleCode';
 import { addClip, keys, track } from './testing/clipStage';
 
 function street(count = 2) {
@@ -87,7 +87,7 @@ describe('the master of a group', () => {
   });
 
   test('dims the lights of particles, whose own value stays, in whatever order they are put into it', async () => {
-    await loadParticleCode();
+    await particleCode.load();
     const { scene, desk, group } = street();
     group.dimmer = 0.5;
     const fire = new GameObject('Fire');
@@ -173,7 +173,7 @@ describe('lights shown alone', () => {
   });
 
   test('leave the light of particles dark, which are seen as before', async () => {
-    await loadParticleCode();
+    await particleCode.load();
     const { scene, lights } = street();
     const fire = new GameObject('Fire');
     scene.add(fire);

@@ -2,7 +2,7 @@ import { getSurfaces } from '@farol/renderer/surfaces';
 import { BoxGeometry, type Color, Group, Mesh, MeshStandardMaterial, ShaderMaterial, Texture } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { Model } from '../assets/Model';
-import { loadSurfaceCode } from '../assets/surfaceCode';
+import { surfaceCode } from '../assets/surfaceCode';
 import type { SurfaceAsset } from '../assets/SurfaceAsset';
 import { lightmappedMaterial } from '../core/baked/lightmappedMaterial';
 import { Animation } from './Animation';
@@ -40,7 +40,7 @@ function made() {
 const materialOf = (renderer: ObjectRenderer) => renderer.three!.material as MeshStandardMaterial;
 const wornBy = (renderer: ObjectRenderer) => getSurfaces(materialOf(renderer));
 
-beforeAll(loadSurfaceCode);
+beforeAll(() => surfaceCode.load());
 
 describe('an object that wears a surface by itself', () => {
   test('has its uniforms as fields; nothing of its material is changed, and others of it keep theirs', () => {

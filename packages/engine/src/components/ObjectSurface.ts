@@ -64,7 +64,7 @@ export class ObjectSurface implements LayerUser {
     const { layered } = scene.assets;
     const before = this.worn;
     this.worn = [];
-    const code = surfaceCode();
+    const code = surfaceCode.code;
     const worn = this.surfaceName === null ? null : this.asset;
     if (this.surfaceName === null) layered.users.delete(this);
     else layered.users.add(this);
@@ -132,7 +132,7 @@ export class ObjectSurface implements LayerUser {
 export function fitBounds(mesh: Mesh, isCulled = true): void {
   const { material, geometry } = mesh;
   const bounded = mesh as Bounded;
-  const code = surfaceCode();
+  const code = surfaceCode.code;
   let reach = 0;
   if (!Array.isArray(material)) reach = code?.surfaceReach(material) ?? 0;
   else for (const each of material) reach = Math.max(reach, code?.surfaceReach(each) ?? 0);

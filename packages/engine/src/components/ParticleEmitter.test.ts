@@ -11,7 +11,7 @@ import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { ObjectRenderer } from './ObjectRenderer';
 import { ParticleEmitter } from './ParticleEmitter';
-import { loadParticleCode, particlePreset } from './particleCode';
+import { particleCode, particlePreset } from './particleCode';
 import { particleFields } from './particleFields';
 import { particleSettings, type ParticleValues } from './particleSettings';
 
@@ -30,7 +30,7 @@ test('it is made once its code is there, if it is still in the scene, and goes o
   const left = emitterIn(scene);
   scene.remove(left.gameObject);
   scene.update(0.5);
-  await loadParticleCode();
+  await particleCode.load();
   expect(early.three!.parent).toBe(early.gameObject.object3D);
   expect(early.three!.time).toBeCloseTo(0.5, 9);
   expect(begun(early)).toBe(50);

@@ -7,7 +7,7 @@ import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/Scene';
 import { LightGroups } from './lightGroups';
 import { ObjectRenderer } from './ObjectRenderer';
-import { loadParticleCode, particleCode, particlePreset, particlesEffect } from './particleCode';
+import { particleCode, particlePreset, particlesEffect } from './particleCode';
 import { type ColliderPose, ColliderPoses } from './ColliderPoses';
 import { particleFields } from './particleFields';
 import { colliderObjects, type ParticleParts } from './particleSettings';
@@ -144,14 +144,10 @@ export class ParticleEmitter extends component(particleFields) {
   }
 
   private make(scene: Scene): void {
-    const code = particleCode();
-    if (code === null) {
-      loadParticleCode().then(
-        () => this.scene === scene && this.emitter === null && this.make(scene),
-        (error: Error) => this.scene === scene && console.error(`Farol: ${error.message}`),
-      );
-      return;
-    }
+    const code = particleCode.codeOr(() => {
+      if (this.scene === scene && this.emitter === null) this.make(scene);
+    });
+    if (code === null) return;
     const emitter = (this.emitter = new code.ParticleEmitter());
     emitter.name = this.gameObject.name;
     this.gameObject.object3D.add(emitter);
@@ -176,7 +172,7 @@ export class ParticleEmitter extends component(particleFields) {
     const { emitter, scene } = this;
     if (!emitter || !scene) return;
     const { time } = emitter;
-    emitter.set(particleCode()!.changedSetting(field, this, this.parts));
+    emitter.set(particleCode.code!.changedSetting(field, this, this.parts));
     if (field === 'lightIntensity') this.followGroup();
     this.followSolo();
     // a setting that restarts the emitter makes emission begin at the present time

@@ -27,7 +27,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
   /** Calls made before the physics has created the body; run once it has. */
   private readonly waiting: ((body: BodyControl) => void)[] = [];
 
-  /** @internal Called by the physics. @param control - null when the body is given up */
+  /** @internal Called by the physics. @param control - null when the body is removed */
   setControl(control: BodyControl | null): void {
     this.control = control;
     if (control) for (const call of this.waiting.splice(0)) call(control);

@@ -10,9 +10,9 @@ import type { SkyDirection } from '../settings/sky/daySky';
 import { Light } from './Light';
 import { sunShadows } from './newShadows';
 
-/** Hours in which neither the light nor the shadows are seen to change: the sun moves by 0.03°. */
+/** Hours within which changes of light and shadows are invisible: the sun moves by 0.03°. */
 const STEP = 0.002;
-/** Intensity of the sun overhead and of a full moon, for scenes whose light is not measured. */
+/** Intensities of the sun overhead and of a full moon, for scenes without photometric light. */
 const SCREEN_SUN = 3;
 const SCREEN_MOON = 0.25;
 const FULL_SUN = sunIlluminance(Math.PI / 2);
@@ -90,10 +90,10 @@ export class SunAndMoon extends component({
 
   private shownHour = Number.NaN;
   private end: (() => void) | null = null;
-  /** Whether the scene's sky is that of this component: of the first that is active. */
+  /** Whether this component sets the scene's sky: the first active one does. */
   private showsSky = false;
 
-  /** The sun at the hour that is shown, from north by east. */
+  /** Position of the sun at the current hour; azimuth from north. */
   get sun(): SkyPlace {
     return sunPlace(this.julianDay, this);
   }
@@ -165,7 +165,7 @@ export class SunAndMoon extends component({
       colour: lightOfKelvin(isDay ? sunKelvin(sun.elevation) : MOON_KELVIN),
       intensity: isMeasured ? (isDay ? sunLight : moonLight) : intensity,
     });
-    // a scene has one sky, which takes milliseconds to paint
+    // a scene has one sky, and painting it takes milliseconds
     const { scene } = this;
     if (!scene || scene.componentsOf(SunAndMoon).find(({ isActive }) => isActive) !== this) return;
     this.showsSky = true;

@@ -3,7 +3,7 @@ import type { EnginePointerEvent } from '../core/events';
 /** Drag of a finger that gives full speed (CSS pixels). */
 const REACH = 60;
 
-/** A walking stick on a touch screen: wherever a finger is put down on the left half of the picture. */
+/** A virtual stick on a touch screen, centred where a finger touches the left half of the picture. */
 export class TouchStick {
   /** Deflection to the right and towards the user; full speed at a length of 1, which a long drag exceeds. */
   right = 0;

@@ -14,7 +14,7 @@ import type { lightFields } from './lightFields';
 
 type LightValues = Readonly<ValuesOf<typeof lightFields>>;
 
-/** Linear colour of a light: chosen by hand, or of its temperature with luminance 1. */
+/** Linear colour of a light: the chosen one, or that of its temperature with luminance 1. */
 export const colourOfLight = ({
   colourBy,
   diffuse,
@@ -41,7 +41,7 @@ function extraData(values: LightValues): FarolLightData | undefined {
   return Object.keys(data).length > 0 ? data : undefined;
 }
 
-/** Distance and decay for three: exact for 'physical', the nearest that stock three can do for the others. */
+/** Distance and decay of the three light: exact for 'physical', the closest fit for other attenuations. */
 function fallOff(values: LightValues): { distance: number; decay: number } {
   if (values.attenuation === 'near-far') return { distance: values.far, decay: 0 };
   if (values.attenuation === 'physical') return { distance: values.range, decay: values.decay };

@@ -10,7 +10,7 @@ const withArea = { visibleWhen: { field: 'type', equals: ['rectangle', 'disc', '
 const withShadow = { field: 'type', equals: ['directional', 'point', 'spot', 'rectangle', 'disc', 'tube'] };
 const casts = { field: 'castShadow', equals: [true] };
 const shadow = { visibleWhen: casts, group: 'Shadow' };
-/** Fields shown only for lights without a size: a shaped light's shadows are as soft as the light is large. */
+/** Condition of fields for lights without a size: the size of an area light sets the softness of its shadows. */
 const hardShadow = {
   visibleWhen: { ...casts, and: { field: 'type', equals: ['directional', 'point', 'spot'] } },
   group: 'Shadow',
@@ -22,7 +22,7 @@ const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial']
 const unitOf = (unit: string, ...types: string[]) => Object.fromEntries(types.map((type) => [type, { unit }]));
 const nits = unitOf('nt', 'rectangle', 'disc', 'tube');
 
-/** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
+/** The fields of a Light (thesis 3.2.5.3, with its two attenuations and three's physical falloff). */
 export const lightFields = {
   type: choice('point', ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rectangle', 'disc', 'tube'], {
     help: 'How the light spreads.',

@@ -102,10 +102,9 @@ export function tintLight(light: ThreeLight, colour: Vector3Tuple): void {
 }
 
 /**
- * Shows some lights of a scene without the others, for editors: neither an edit nor saved. Sky, environment and baked
- * light stay.
+ * Shows only some lights of a scene, for editors: neither an edit nor saved. Sky, environment and baked light stay.
  * @param ids - ids of Lights and ParticleEmitters; null shows all again
- * @returns the ids until now
+ * @returns the previous ids
  */
 export function soloLights(scene: Scene, ids: ReadonlySet<string> | null): ReadonlySet<string> | null {
   return LightGroups.of(scene).showAlone(ids);

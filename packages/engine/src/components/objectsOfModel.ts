@@ -61,7 +61,7 @@ type Flags = Object3D & {
   readonly isCamera?: boolean;
 };
 
-/** Field values as a text that is equal for equal values, as a key. */
+/** Text of field values as a key: equal values give equal texts. */
 const textOf = (values: Values): string =>
   JSON.stringify(Object.entries(values).toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
@@ -71,7 +71,7 @@ const textOf = (values: Values): string =>
  */
 export const whatKeepsTogether = (model: Model): KeptFor | null => keptTogether(model)[0]?.reason ?? null;
 
-/** The name of the object that draws nodes of a model together. */
+/** Name of the object that draws several nodes of a model together. */
 export function objectOfPart(nodes: readonly Object3D[]): string {
   const mesh = nodes.length === 1 ? nodes[0] : nodes.find((node) => 'isMesh' in node);
   return mesh?.name || nodes[0].name || nodes[0].type;

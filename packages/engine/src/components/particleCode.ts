@@ -3,19 +3,11 @@ import { LateCode } from '../base/LateCode';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { ParticleValues } from './particleSettings';
 
-const late = new LateCode(
+/** The code of particles, also the renderer's, which most scenes do not need. */
+export const particleCode = new LateCode(
   () => import('./particleRuntime'),
   'The code of particles could not be fetched: see that the network is there, and add one again.',
 );
-
-/** The code of particles; null until `loadParticleCode` is done. */
-export const particleCode = () => late.code;
-
-/**
- * Fetches the code of particles, also the renderer's, which most scenes do not need.
- * @throws Error (as a rejection) when it cannot be fetched; try again
- */
-export const loadParticleCode = () => late.load();
 
 /**
  * Values of a ParticleEmitter's fields for a common effect: `object.addComponent(ParticleEmitter, await
@@ -23,14 +15,14 @@ export const loadParticleCode = () => late.load();
  * @throws Error (as a rejection) when the code of particles cannot be fetched; try again
  */
 export async function particlePreset(name: ParticlePresetName): Promise<Partial<ParticleValues>> {
-  const { particlePresets, particleValues } = await loadParticleCode();
+  const { particlePresets, particleValues } = await particleCode.load();
   return particleValues(particlePresets[name]);
 }
 
 /** The effect that draws particles. */
 export const particlesEffect: RequiredEffect = {
   get effectClass() {
-    return late.code?.Particles ?? null;
+    return particleCode.code?.Particles ?? null;
   },
-  load: loadParticleCode,
+  load: () => particleCode.load(),
 };

@@ -89,8 +89,8 @@ export class AuthoredState {
   }
 
   /**
-   * Called before an object is disposed of: objects of the recorded state, among it and its descendants, only leave the
-   * scene.
+   * Called before an object is disposed of: it and its descendants are only removed from the scene if they are part of
+   * the recorded state.
    * @returns whether the object itself is in the recorded state
    */
   hold(gameObject: GameObject): boolean {
@@ -155,7 +155,7 @@ export class AuthoredState {
     // parents first: an object that was moved below its own child must leave it before that child is put back
     arrange(scene, this.roots);
     for (const [object, { children }] of this.objects) arrange(object, children);
-    // objects that were moved into a removed object's place are no additions
+    // objects that were moved to a removed object's position were not added
     for (const each of added) if (!this.objects.has(each)) each.dispose();
     for (const [object, record] of this.objects) this.restoreObject(object, record);
     for (const asset of scene.assets.fieldAssets()) {

@@ -111,7 +111,7 @@ export class ComponentCalls {
   }
 
   /**
-   * Whether a component must not be updated yet: added in this frame and started in the next, or of a script that does
+   * Whether a component must not be updated yet: it was added in this frame and starts in the next, or its script does
    * not run.
    */
   private isTooEarly(component: Component, deltaSeconds: number): boolean {

@@ -3,29 +3,29 @@ import type { Component } from './Component';
 import type { NewObject } from './NewObject';
 import type { RequiredEffect } from './RequiredEffect';
 
-/** A class of components as the registry, the menus and the file format see it. */
+/** A class of components with the static members that registry, menus and file format use. */
 export interface ComponentClass<T extends Component = Component> {
   new (): T;
   /** Name of the component type in files and menus. */
   readonly typeName: string;
   readonly fields: FieldTable;
   /**
-   * Version of its form in files; raise it, and write `migrate`, whenever a field changes its name, meaning or default.
+   * Version of the fields in files; raise it, and write `migrate`, when a field changes its name, meaning or default.
    */
   readonly version: number;
   /** Whether a GameObject can have at most one component of the type. */
   readonly unique: boolean;
   /** One-line description of the component in the Add menu. */
   readonly help: string;
-  /** Name of its icon in editors, which show a plain one for names that they do not know. */
+  /** Name of the icon in editors; an unknown name gives a plain one. */
   readonly icon: string;
-  /** The effect of the renderer that the component cannot be seen without, such as decals; null for none. */
+  /** The renderer effect that draws the component, such as decals; null for none. */
   readonly effect: RequiredEffect | null;
   /** Objects with the component that the Add menu offers; classes that extend this one do not inherit them. */
   readonly newObjects: readonly NewObject[];
   /**
-   * Names of the methods that EventTriggers offer; null for all that the class and those it extends have, but for the
-   * ones that the engine calls. For built-in classes, null means no methods.
+   * Names of the methods that EventTriggers offer; null for all methods of the class and its base classes that the
+   * engine does not call itself. For built-in classes, null means none.
    */
   readonly callable: readonly string[] | null;
   /** Brings field values written by an older version up to `version`. */

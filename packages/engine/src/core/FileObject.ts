@@ -15,16 +15,16 @@ export interface FileComponent {
 export interface FileObject {
   id: string;
   name: string;
-  /** Id of the object above, or null at the top. */
+  /** Id of the parent object, or null at the top. */
   parent: string | null;
   /** Whether the GameObject is active; true when absent. */
   active?: boolean;
   /** Whether editors exclude the object from picking; false when absent. */
   locked?: boolean;
-  /** Whether a bake gives the object's meshes lightmaps; false when absent. */
+  /** Whether the object's meshes get baked lightmaps; false when absent. */
   static?: boolean;
   tags?: string[];
-  /** Absent unless the object is a copy of one of a prefab. */
+  /** Link to a prefab's object; absent for an object of no instance. */
   prefab?: PrefabLink;
   components: FileComponent[];
 }
@@ -35,7 +35,7 @@ export interface PrefabLink {
   /** Id of the object in the prefab; the prefab's own id for the root of an instance. */
   readonly source: string;
   /**
-   * Overrides that happen to have the prefab's present value: 'Light.intensity', 'name'. They remain overrides when the
+   * Overrides whose value equals the prefab's at present: 'Light.intensity', 'name'. They remain overrides when the
    * prefab changes. Every other value that differs from the prefab's is an override without being listed.
    */
   readonly pinned?: readonly string[];

@@ -27,8 +27,8 @@ export interface AddComponentOptions {
 type Values = Readonly<Record<string, FieldValue>>;
 
 /**
- * Node of the scene's tree. Has no behaviour of its own: holds children and components, and passes updates, events and
- * calls on to them. It owns one three object, `object3D`; its front is that object's -Z axis.
+ * Node of the scene's tree. It has no behaviour of its own, but children and components, which receive updates, events
+ * and calls. It owns one three object, `object3D`; its front is that object's -Z axis.
  */
 export class GameObject implements GameObjectContainer {
   readonly id: string;
@@ -105,10 +105,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
   }
 
-  /**
-   * Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other
-   * effect.
-   */
+  /** Whether editors do not pick the object and its descendants in the picture. No other effect. */
   get locked(): boolean {
     return this.isLocked;
   }
@@ -162,7 +159,7 @@ export class GameObject implements GameObjectContainer {
     return this.object3D;
   }
 
-  /** Adds a child, or moves one that is elsewhere; its local transform stays. @throws Error for a cycle */
+  /** Adds a child, or moves it from another parent; its local transform is kept. @throws Error for a cycle */
   add(child: GameObject, index?: number): this {
     moveGameObject(child, this, index, { keepWorld: false });
     return this;
@@ -327,8 +324,8 @@ export class GameObject implements GameObjectContainer {
   }
 
   /**
-   * A copy with all below it, with new ids, in no scene. References to objects inside the copy follow it. A whole
-   * instance of a prefab is copied as one; a part of one becomes an object of its own.
+   * Makes a copy with all descendants and new ids, in no scene. References between copied objects lead to the copies.
+   * The copy of a prefab instance is an instance; the copy of a part of one is a plain object.
    */
   clone(): GameObject {
     const newIds = new Map<string, string>();
@@ -368,9 +365,9 @@ export class GameObject implements GameObjectContainer {
 }
 
 /**
- * A copy of an object with all below it.
- * @param newIds - the id of each copy, by that of the object
- * @param prefabs - ids of prefabs whose instance roots are in the copy, at the source or above it
+ * Copies an object with its descendants.
+ * @param newIds - ids of the copies, by the ids of their originals
+ * @param prefabs - ids of the prefabs of instances whose root is being copied
  */
 function copyOf(source: GameObject, newIds: ReadonlyMap<string, string>, prefabs: ReadonlySet<string>): GameObject {
   const copy = new GameObject(source.name, { id: newIds.get(source.id) });

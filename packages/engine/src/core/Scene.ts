@@ -117,7 +117,7 @@ export class Scene implements GameObjectContainer {
     return this.index.componentsOf(type);
   }
 
-  /** Whether any active component listens to keys. */
+  /** Whether any active component handles key events. */
   get takesKeys(): boolean {
     return this.index.keyed.array.some((component) => component.isActive && component.listensTo?.('key') !== false);
   }
@@ -272,7 +272,7 @@ export class Scene implements GameObjectContainer {
 
   /**
    * @internal Called before an object is disposed of.
-   * @returns true when `reset` restores the object, which then only leaves the scene
+   * @returns true when `reset` restores the object, which is then only removed from the scene
    */
   holds(gameObject: GameObject): boolean {
     return this.authored?.hold(gameObject) ?? false;

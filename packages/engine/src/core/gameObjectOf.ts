@@ -14,7 +14,7 @@ export interface InstanceOwner {
 }
 
 /**
- * The GameObject that a three object belongs to, such as the mesh hit by a ray: its own or its nearest ancestor's.
+ * The GameObject of a three object, such as a mesh hit by a ray, or of its nearest ancestor.
  * @param instanceId - `intersection.instanceId`, for objects that are drawn as instances
  */
 export function gameObjectOf(object3D: Object3D | null, instanceId?: number): GameObject | null {

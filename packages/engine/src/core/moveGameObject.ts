@@ -7,7 +7,7 @@ import type { GameObjectContainer } from './GameObjectContainer';
 
 /** Options of `GameObject.reparent`. */
 export interface MoveOptions {
-  /** Keep position, rotation and scale in the world. */
+  /** Whether to keep position, rotation and scale in the world. */
   keepWorld?: boolean;
 }
 
@@ -40,8 +40,7 @@ function checkDepth(gameObject: GameObject, depth: number): void {
 }
 
 /**
- * As three's `removeFromParent`, but searches children from the end, where objects being disposed of lie; three
- * searches from the start.
+ * Does the same as three's `removeFromParent`, but searches children from the end, where objects being disposed of are.
  */
 function removeFromParent(object: Object3D): void {
   const { parent } = object;

@@ -32,7 +32,7 @@ export function frozenCopy(value: FieldValue): FieldValue {
 
 /** Temporary fields of an owner, each of which shows a part of a declared field: see `Field.viewOf`. */
 export interface FieldViews {
-  /** The declared fields, and the views of parts of them. */
+  /** The declared fields and the views. */
   readonly fields: FieldTable;
   has(name: string): boolean;
   /** Authored (not simulated) value of a field. */

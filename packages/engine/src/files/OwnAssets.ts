@@ -18,7 +18,7 @@ export class OwnAssets {
   }
 
   /**
-   * Whether the file has the named asset with the right type, or a model that may contain it, which is known once the
+   * Whether the file has the named asset with the right type, or a model that may contain it; parts are known once the
    * model is loaded.
    */
   mayHold({ name, type }: AssetUse): boolean {

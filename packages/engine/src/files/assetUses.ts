@@ -5,7 +5,7 @@ import { sceneFields } from '../settings/SceneSettings';
 import { assetFields, type NamedAssetField } from '../fields/assetFields';
 import type { FarolFile, FileObject } from './FarolFile';
 
-/** A place of a scene file that names an asset. */
+/** A position in a scene file that names an asset. */
 export interface AssetUse {
   readonly path: string;
   readonly type: AssetType;
@@ -38,7 +38,7 @@ function usesIn(
   }
 }
 
-/** Every place of a checked file that names an asset, defaults included. */
+/** Every position in a checked file that names an asset, including default values. */
 export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUse[] {
   const list: AssetUse[] = [];
   usesIn(file.settings, assetFields(sceneFields), () => 'settings', list);

@@ -33,7 +33,7 @@ function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    // the browser's quotation of binary data is useless in a message
+    // the browser's error message would quote binary data
     const isBinary = /[\0-\b\ufffd]/.test(text.slice(0, 1000));
     const reason = isBinary ? 'it is not text' : shortText((cause as Error).message, 120);
     const problem = `is not JSON: ${reason}. Choose a scene that was saved by Farol.`;

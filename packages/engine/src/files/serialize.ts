@@ -139,7 +139,7 @@ export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFi
   const used = new Set<string>();
   for (const name of [...assetUses(file, scene.registry).map((use) => use.name), ...unknownTexts(file, scene)]) {
     used.add(name);
-    // a part of a model needs the model
+    // a part of a model is loaded with its model
     used.add(scene.assets.modelOf(name) ?? name);
   }
   file.assets = file.assets.filter(

@@ -20,7 +20,7 @@ export class MeshBuilder {
   private readonly indices: number[] = [];
   private readonly matrix = new Matrix4();
 
-  /** Sets the position and rotation of parts added from here on. */
+  /** Sets the position and rotation of all parts added after this call. */
   at(x: number, y: number, z: number, turn = 0): this {
     this.matrix.makeRotationY(turn).setPosition(x, y, z);
     return this;
@@ -50,7 +50,7 @@ export class MeshBuilder {
     return this;
   }
 
-  /** A flat patch from a corner along two edges, facing p × q. */
+  /** Adds a flat patch from a corner along two edges, facing p × q. */
   patch(corner: Vector3Tuple, p: Vector3Tuple, q: Vector3Tuple, columns = 1, rows = 1): this {
     const size: [number, number] = [Math.hypot(...p), Math.hypot(...q)];
     const along = (u: number, v: number): Vector3Tuple => [
@@ -61,7 +61,7 @@ export class MeshBuilder {
     return this.surface(columns, rows, along, size);
   }
 
-  /** A triangle, anticlockwise seen from its front; texture coordinates are its x + z and y. */
+  /** Adds a triangle, anticlockwise seen from its front; its texture coordinates are x + z and y. */
   triangle(a: Vector3Tuple, b: Vector3Tuple, c: Vector3Tuple): this {
     const base = this.positions.length / 3;
     for (const corner of [a, b, c]) {
@@ -73,7 +73,7 @@ export class MeshBuilder {
     return this;
   }
 
-  /** A box between two corners, each face cut into cells of about `cell` metres. */
+  /** Adds a box between two corners, each face split into cells of about `cell` metres. */
   box(min: Vector3Tuple, max: Vector3Tuple, cell = Infinity): this {
     const [x, y, z] = [max[0] - min[0], max[1] - min[1], max[2] - min[2]];
     const cells = (length: number): number => Math.max(1, Math.round(length / cell));
@@ -85,7 +85,7 @@ export class MeshBuilder {
     return this.patch(min, [x, 0, 0], [0, 0, z], cells(x), cells(z));
   }
 
-  /** A surface of revolution about the y axis, facing out where the profile rises. */
+  /** Adds a surface of revolution about the y axis, facing outwards where the profile rises. */
   lathe(segments: number, rings: number, profile: Profile, size: readonly [number, number] = [1, 1]): this {
     const turned: Surface = (u, v) => {
       const [radius, y] = profile(v);
@@ -95,7 +95,7 @@ export class MeshBuilder {
     return this.surface(segments, rings, turned, size);
   }
 
-  /** The mesh, with normals that break at edges of more than `creaseAngle` radians. */
+  /** Makes the mesh, with normals that are split at edges of more than `creaseAngle` radians. */
   build(creaseAngle = Math.PI / 5): BufferGeometry {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute(this.positions, 3));

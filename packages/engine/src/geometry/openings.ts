@@ -1,4 +1,4 @@
-/** A hole in a wall, in metres: along the wall from its middle, and up from the floor. */
+/** A hole in a wall (m): its extent along the wall from the middle, and upwards from the floor. */
 export interface Opening {
   readonly from: number;
   readonly to: number;

@@ -11,7 +11,7 @@ import { Slices } from '../base/Slices';
 /** Largest coordinate and scale (m): beyond it, floats are too coarse for cameras, lights and depths. */
 export const LARGEST = 1e12;
 
-/** Whether a matrix, or a point at distance `reach` (m) that it transforms, is beyond what can be drawn. */
+/** Whether a matrix, or a point at distance `reach` (m) that it transforms, is beyond the range of `LARGEST`. */
 export const absurdSize = ({ elements }: Matrix4, reach = 1): boolean =>
   !elements.every((each) => Math.abs(each) * reach <= LARGEST);
 

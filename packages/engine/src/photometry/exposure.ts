@@ -14,8 +14,8 @@ export const exposureOfEV = (ev: number): number => 1 / (1.2 * 2 ** ev);
 export const evOfCamera = (aperture: number, time: number, iso: number): number =>
   Math.log2(((aperture * aperture) / time) * (100 / iso));
 
-/** Exposure value at ISO 100 of a mean luminance (cd/m²), as a meter of reflected light shows it. @see ISO 2720, K = 12.5 */
+/** Exposure value at ISO 100 of a mean luminance (cd/m²), by a reflected-light meter. @see ISO 2720, K = 12.5 */
 export const evOfLuminance = (luminance: number): number => Math.log2(luminance * 8);
 
-/** Exposure value at ISO 100 of an illuminance (lx), as a meter of incident light shows it. @see ISO 2720, C = 250 */
+/** Exposure value at ISO 100 of an illuminance (lx), by an incident-light meter. @see ISO 2720, C = 250 */
 export const evOfIlluminance = (illuminance: number): number => Math.log2(illuminance / 2.5);

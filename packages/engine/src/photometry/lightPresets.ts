@@ -17,13 +17,14 @@ export interface LightPreset {
 const DEGREE = Math.PI / 180;
 
 /**
- * Lamps and skies as they are measured.
+ * Measured lamps and skies.
  *
- * - Candle: the old unit of luminous intensity; 1,850 K, and 4,100 K of moonlight: https://en.wikipedia.org/wiki/Color_temperature,
- *   table of light sources.
+ * - Candle: the old unit of luminous intensity; 1,850 K, and 4,100 K of moonlight:
+ *   https://en.wikipedia.org/wiki/Color_temperature, table of light sources.
  * - Bulbs and the LED lamp: lumens as in `lampEfficacies`.
- * - Sodium, 100 W: 9,500 lm, General Electric's lamp catalogue of 1999, page 3-15, http://resodance.com/ali/lamplums.html; 2,100 K, and
- *   the metal halide lamp of 400 W, 36,000 lm and 4,000 K: https://www.hydroponics.net/learn/high_intensity_discharge_bulb_sp.php
+ * - Sodium, 100 W: 9,500 lm, General Electric's lamp catalogue of 1999, page 3-15,
+ *   http://resodance.com/ali/lamplums.html; 2,100 K, and the metal halide lamp of 400 W, 36,000 lm and 4,000 K:
+ *   https://www.hydroponics.net/learn/high_intensity_discharge_bulb_sp.php
  * - Headlamp: passing beam of an H4 lamp, UN Regulation 37, sheet H4.
  * - Sun, overcast sky and full moon: CIBSE, Code for interior lighting, examples of illuminance,
  *   https://help.iesve.com/ve2021/2_6__examples_of_illuminance.htm

@@ -31,7 +31,7 @@ export interface PhotometricLight {
   readonly cutoff: number;
   /** Part of a spot's cone in which its edge is soft, 0 to 1. */
   readonly penumbra: number;
-  /** Above 0: a spot's light is this power of the cosine from its axis, in place of the penumbra. */
+  /** Above 0: the intensity of a spot is this power of the cosine to its axis, in place of the penumbra. */
   readonly exponent: number;
   readonly width: number;
   readonly height: number;

@@ -68,7 +68,7 @@ export class Body implements BodyControl {
   private watch: ObjectWatch;
   /** Whether the body slept after the last step. */
   private wasSleeping = false;
-  /** Whether the body rests at the shown pose. */
+  /** Whether the body sleeps and its object shows the final pose. */
   private isSettled = false;
 
   constructor(
@@ -186,7 +186,7 @@ export class Body implements BodyControl {
     }
   }
 
-  /** Moves a kinematic body towards the frame's target. @param share - of the remaining way, above 0 to 1 */
+  /** Moves a kinematic body towards the frame's target. @param share - share of the remaining distance, above 0 to 1 */
   approach(share: number): void {
     const { state } = this;
     this.stay();
@@ -288,7 +288,7 @@ export class Body implements BodyControl {
     this.isSettled = this.wasSleeping && !this.movedInStep;
   }
 
-  /** Watches the object from now on below its new parent. */
+  /** Rebuilds the watch of the object for its new parent. */
   objectMoved(): void {
     this.watch = new ObjectWatch(this.object.object3D);
     this.noteShown();

@@ -23,7 +23,7 @@ export class Contacts {
   /** Number of touching collider pairs, by receiving and other object. */
   private readonly counts = new Map<string, number>();
   private touches: Touch[] = [];
-  /** Touching collider pairs, to end those of a removed collider. */
+  /** Touching collider pairs, whose contacts end when a collider is removed. */
   private readonly open = new Map<string, Touch>();
 
   constructor(

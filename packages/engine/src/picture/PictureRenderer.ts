@@ -92,9 +92,8 @@ export class PictureRenderer {
   }
 
   /**
-   * Draws as `render` does, for hosts that draw several views of a scene in a frame: they call `follow` before the
-   * first, and
-   * `effects.update` after the last.
+   * Draws like `render`, for hosts that draw several views of a scene per frame: call `follow` before the first view
+   * and `effects.update` after the last.
    */
   draw(scene: Scene, camera: Camera, component: CameraComponent | null): void {
     const { farol, look } = this;
@@ -107,7 +106,7 @@ export class PictureRenderer {
     this.last.end();
   }
 
-  /** As `draw`, but by another painter, with the scene's tone mapping and without effects. */
+  /** Draws like `draw`, but with another painter, with the scene's tone mapping and without effects. */
   drawBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null): void {
     this.look.follow(scene.settings, component);
     this.renderPlain(painter, scene, camera);

@@ -6,7 +6,7 @@ export interface TechniqueAbilities {
   readonly depth: boolean;
   /** Whether there is a G-buffer; without it decals are not drawn. */
   readonly gbuffer: boolean;
-  /** Whether the target's multisampling is used; without it edges are smoothed by an effect or not at all. */
+  /** Whether multisampling has an effect; without it, edges are smoothed by an anti-aliasing effect or not at all. */
   readonly samples: boolean;
 }
 

@@ -5,7 +5,7 @@ import type { GameObject } from '../core/GameObject';
 export const isInstanceRoot = (object: GameObject): boolean =>
   object.prefabLink !== null && object.prefabLink.source === object.prefabLink.prefab;
 
-/** Root of the instance through which an object follows its prefab; null when the object follows none. */
+/** Root of the instance to which an object belongs; null for none. */
 export function instanceRootOf(object: GameObject): GameObject | null {
   const prefab = object.prefabLink?.prefab;
   if (prefab === undefined) return null;

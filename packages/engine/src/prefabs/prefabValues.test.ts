@@ -2,7 +2,7 @@ import { boolean, number, string } from '@farol/editing/fields';
 import { BoxGeometry, Mesh } from 'three';
 import { beforeEach, describe, expect, test } from 'vitest';
 import { Model } from '../assets/Model';
-import { loadSurfaceCode } from '../assets/surfaceCode';
+import { surfaceCode } from '../assets/surfaceCode';
 import { ModelRenderer } from '../components/ModelRenderer';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { GameObject } from '../core/GameObject';
@@ -26,7 +26,7 @@ describe('the values of a surface that an object wears by itself', () => {
   };
 
   test('are overridden one by one', async () => {
-    await loadSurfaceCode();
+    await surfaceCode.load();
     scene.assets.addFieldAsset('surface', 'Rust', { source: text() });
     const first = new GameObject('Crate');
     scene.add(first);
@@ -54,7 +54,7 @@ describe('the values of a surface that an object wears by itself', () => {
   });
 
   test('go with the surface where an instance, or the prefab, wears another one', async () => {
-    await loadSurfaceCode();
+    await surfaceCode.load();
     scene.assets.addFieldAsset('surface', 'Rust', { source: text() });
     scene.assets.addFieldAsset('surface', 'Moss', { source: text() });
     const first = new GameObject('Crate');

@@ -1,4 +1,4 @@
-/** A script as JavaScript: a function that makes a CommonJS module. */
+/** A script compiled to JavaScript: a function in the form of a CommonJS module. */
 export interface CompiledScript {
   /** Name of the script asset. */
   readonly name: string;

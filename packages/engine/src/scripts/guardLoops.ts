@@ -7,7 +7,7 @@ const PASSES = 256;
 /** Increase of a `for` loop's counter between two checks of the time limit, where such a counter is found. */
 const STEPS = 1024;
 
-/** Expression put into each iteration of a loop: counts iterations, and checks the time limit every `PASSES` of them. */
+/** Expression inserted into loops: counts iterations, and checks the time limit every `PASSES` of them. */
 const GUARD = `(($passes=$passes+1&${PASSES - 1})||$check())`;
 
 /**

@@ -15,7 +15,7 @@ const CODE: Code = { text: 'code' };
 const textOf = (lazy: Lazy<Code>): string | null => lazy.use(({ text }) => text);
 const offline = (): Promise<Code> => Promise.reject(new Error('offline'));
 
-/** Asks as frames do, every 16 ms. */
+/** Calls `use` like frames, every 16 ms. */
 async function draw(lazy: Lazy<Code>, milliseconds: number): Promise<void> {
   for (let time = 0; time < milliseconds; time += 16) {
     lazy.ask();

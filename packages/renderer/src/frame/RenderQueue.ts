@@ -13,11 +13,12 @@ import { warnOfNaN } from './warnOfNaN';
 
 const center = new Vector3();
 
-/** three's default order of opaque items: by group, render order, material, then front to back. */
-export function byState(a: RenderListItem, b: RenderListItem): number {
+/** three's default order of opaque items, with `rank` added: by group, render order, rank, material, then front to back. */
+function byState(a: RenderItem, b: RenderItem): number {
   return (
     a.groupOrder - b.groupOrder ||
     a.renderOrder - b.renderOrder ||
+    a.rank - b.rank ||
     a.material.id - b.material.id ||
     a.materialVariant - b.materialVariant ||
     a.z - b.z ||
@@ -47,6 +48,7 @@ export interface ShadowMaskMaterials {
 /** Properties of a material, as read in the frame of that number. */
 interface MaterialLook {
   frame: number;
+  rank: number;
   ownShader: boolean;
   shading: ItemShading;
   isPlainOpaque: boolean;
@@ -67,8 +69,8 @@ export class RenderQueue {
   covers = true;
   /** True if an opaque object may be so far away that its depth equals the cleared depth, see `watchFar`. */
   reachesFar = false;
-  /** Order of opaque items in place of three's, unless the host sets its own or an item must be drawn in three's order. */
-  order: RenderItemSort | null = null;
+  /** Rank of each material among opaque items; ignored if the host sets an order or an item must be drawn in three's. */
+  ranks: ReadonlyMap<Material, number> | null = null;
   private camera!: Camera;
   /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
@@ -140,8 +142,9 @@ export class RenderQueue {
     item.renderOrder = object.renderOrder;
     item.z = z;
     if (material !== this.material) this.lookAt(material);
-    const { isOrderSensitive, isPlainOpaque, ownShader, shading } = this.materialLook;
+    const { isOrderSensitive, isPlainOpaque, ownShader, rank, shading } = this.materialLook;
     const lit = shading === 'lit';
+    item.rank = rank;
     item.shading = shading;
     item.ownShader = ownShader;
     const isStep = isStepOfHost(object, groupOrder !== 0 || object.renderOrder !== 0);
@@ -175,6 +178,7 @@ export class RenderQueue {
       if (ownShader && shading !== 'lit' && !nodes && (material as ShaderMaterial).lights === true)
         this.refused.check(material as ShaderMaterial);
       look.frame = this.frame;
+      look.rank = this.ranks?.get(material) ?? 0;
       look.ownShader = ownShader;
       look.shading = shading;
       look.isPlainOpaque = isPlainOpaque(material);
@@ -237,7 +241,8 @@ export class RenderQueue {
 
   /** @param reversed - whether to reverse the sorted lists, as three does for reversed depth up to 0.185 */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
-    if (this.opaque.length > 1) this.opaque.sort(opaque ?? (this.ordered ? null : this.order) ?? byState);
+    if (this.ordered) for (const item of this.opaque) item.rank = 0;
+    if (this.opaque.length > 1) this.opaque.sort((opaque as typeof byState | null) ?? byState);
     if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);
     if (this.transparent.length > 1) this.transparent.sort(transparent ?? backToFront);
     if (!reversed) return;

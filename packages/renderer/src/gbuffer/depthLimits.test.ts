@@ -65,7 +65,7 @@ test('plain projections are those whose pixels have a place by depth: off-centre
   expect(isPlainProjection(frustum.projectionMatrix.elements, false)).toBe(true);
   expect(isPlainProjection(oblique.elements, false)).toBe(true);
   expect(isPlainProjection(box.elements, true)).toBe(true);
-  // a camera that does not say what three's shaders ask it for
+  // an orthographic projection on a camera that is no OrthographicCamera
   expect(isPlainProjection(box.elements, false)).toBe(false);
   expect(isPlainProjection(frustum.projectionMatrix.elements, true)).toBe(false);
   const turned = new Matrix4().makeRotationY(0.3);

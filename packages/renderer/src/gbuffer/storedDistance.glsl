@@ -1,5 +1,5 @@
-// A surface's distance along the view in two half floats, accurate to some millionths: its logarithm; for
-// orthographic cameras the distance itself. Farol
+// A surface's distance (its logarithm in perspective) in two half floats, accurate to some millionths.
+// Farol
 #include "roundToHalf"
 //? farol_unpackDistance(farol_packDistance(1234.5, false), false) == 1234.5
 //? farol_unpackDistance(farol_packDistance(0.00003, false), false) * 100000.0 == 3.0

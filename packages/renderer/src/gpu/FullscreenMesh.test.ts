@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { LightVolumeDraws } from '../techniques/light-volumes/LightVolumeDraws';
 import { FullscreenMesh } from './FullscreenMesh';
 
-/** three's WebGLBindingStates has a table for each geometry, which only a geometry of a drawn scene takes away again. */
+/** three's WebGLBindingStates has a table for each geometry, removed only for geometries drawn in a scene. */
 test('meshes without attributes share their geometry: what is made and disposed leaves no table in three', () => {
   expect(new FullscreenMesh().geometry).toBe(new FullscreenMesh().geometry);
   const geometries = () => {

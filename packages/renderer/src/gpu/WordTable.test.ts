@@ -2,7 +2,7 @@ import type { Texture, WebGLRenderer } from 'three';
 import { expect, it } from 'vitest';
 import { WordTable } from './WordTable';
 
-/** A WebGLRenderer as far as tables use it; `lose` forgets its textures, as three does once a lost context is restored. */
+/** The parts of a WebGLRenderer that tables use; `lose` forgets its textures, as three does when a lost context is restored. */
 function makeWebGL() {
   const handles = new Map<Texture, object>();
   let sent = 0;

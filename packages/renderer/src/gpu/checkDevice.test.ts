@@ -17,7 +17,7 @@ it('takes a renderer whose context is of another window', () => {
   expect(() => checkDevice(webgl, false)).not.toThrow();
 });
 
-/** A renderer whose device has some extensions, as three knows them. */
+/** A renderer of a device with these extensions. */
 const deviceOf = (names: readonly string[], isLost: boolean): WebGLRenderer =>
   ({
     extensions: { has: (name: string) => !isLost && names.includes(name) },

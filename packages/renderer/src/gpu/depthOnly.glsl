@@ -1,5 +1,5 @@
-// Writes only depth to the host's target, from a depth texture, some rounding steps farther so that equal depths
-// pass. Farol
+// Writes only depth to the host's target, from a depth texture, slightly farther so that equal depths pass.
+// Farol
 #include "viewport"
 #include "depthMode"
 uniform highp sampler2D farol_sceneDepth;

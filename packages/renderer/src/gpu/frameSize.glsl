@@ -1,3 +1,3 @@
-// Size of the picture (pixels), which is the used part of Farol's targets; these may be larger.
+// Size of the picture (pixels): the used part of Farol's targets, which may be larger.
 // Farol
 uniform highp vec2 farol_frameSize;

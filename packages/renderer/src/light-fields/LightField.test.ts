@@ -2,7 +2,7 @@ import { PointLight, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { LightField } from './LightField';
 
-/** Rows that a copy is sent, as [first, rows]. */
+/** Rows uploaded to a copy, as [first, rows]. */
 function sent(field: LightField, seen: number, rows: number): { runs: number[][]; seen: number } {
   const runs: number[][] = [];
   const next = field.spheres.changes(seen, rows, (first, count) => runs.push([first, count]));
@@ -25,7 +25,7 @@ describe('a light field', () => {
     ]);
     expect(sent(field, first.seen, 8).runs).toEqual([]);
     field.setRange(999, 2);
-    // the other copy has seen none of it
+    // the other copy was not updated yet
     expect(sent(field, two, 8).runs).toEqual([
       [1, 1],
       [3, 1],

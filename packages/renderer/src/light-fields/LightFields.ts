@@ -23,9 +23,12 @@ const sliceTwins = forwardTwins('lightLoopSlices');
 /**
  * The lights of LightFields in the frames of one renderer. The CPU does no work for single lights.
  *
- * arrays, sent by rows ─┐ ├─> FieldLights: view space, culled ─> FieldOrder: by cells of the view ─┐ textures of the GPU ──┘ │
- * records of the CPU's lights ───────────────────────────────> fieldRecords: the light table <───┘ │ FieldLists: boxes of 32
- * lights ─> blocks of 4 × 4 tiles ─> tiles, 1 bit a light
+ *     arrays, sent by rows ─┐
+ *                           ├─> FieldLights: view space, culled ─> FieldOrder: by cells of the view ─┐
+ *     textures of the GPU ──┘                                                                        │
+ *     records of the CPU's lights ───────────────────────────────> fieldRecords: the light table <───┘
+ *                                                                        │
+ *                            FieldLists: boxes of 32 lights ─> blocks of 4 × 4 tiles ─> tiles, 1 bit a light
  *
  * Shaders still read one light table: records of fields are among those of lights with a range, after the plain point lights or,
  * if fields have spot lights, after all ("slots", in whole rows of 128). Lights without effect (no range, NaN, out of view)

@@ -1,6 +1,6 @@
 // Bits of the lights, among 128, that touch a block of 4 × 4 tiles: tests boxes of 32 lights, then the lights in
-// boxes that touch the block; with FAROL_BLOCK_DEPTH also against the block's depths. Farol; Olsson and Assarsson
-// 2011, Tiled Shading
+// boxes that touch the block; with FAROL_BLOCK_DEPTH also against the block's depths.
+// Farol; Olsson and Assarsson 2011, Tiled Shading
 #include "tileMask"
 uniform highp sampler2D farol_boxLows;
 uniform highp sampler2D farol_boxHighs;

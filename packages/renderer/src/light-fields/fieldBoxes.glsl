@@ -1,5 +1,5 @@
-// Bounding box (view space) of the ranges of each 32 lights of the lists: a texel for 32 lights, four for a quad of
-// 128. Farol
+// Bounding box (view space) of each 32 lights' ranges: a texel for 32 lights, four for a quad of 128.
+// Farol
 #include "lightTable"
 #include "lightTiles"
 layout(location = 0) out highp vec4 farol_boxLow; // xyz: low corner (m), w: z of the high corner

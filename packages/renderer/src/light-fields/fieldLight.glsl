@@ -1,5 +1,5 @@
-// Transforms the lights of a field to view space, a texel for each light; lights without effect or out of view get
-// range 0. Farol
+// Transforms a field's lights to view space, a texel each; lights without effect or out of view get range 0.
+// Farol
 uniform highp sampler2D farol_fieldSpheres;
 uniform highp sampler2D farol_fieldEmissions;
 uniform highp sampler2D farol_fieldCones;

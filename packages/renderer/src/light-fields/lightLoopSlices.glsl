@@ -1,6 +1,6 @@
 // Light loop over the pixel's cluster in scenes with light fields: quads of 128 lights that are in its tile's list
-// and reach the slice of its depth. Olsson, Billeter and Assarsson 2012, Clustered Deferred and Forward Shading;
-// Drobot 2017 (z-binning)
+// and reach the slice of its depth.
+// Olsson, Billeter and Assarsson 2012, Clustered Deferred and Forward Shading; Drobot 2017 (z-binning)
 #include "lightTileLists"
 #include "lightSlice"
 uniform highp usampler2D farol_sliceQuads;

@@ -209,7 +209,7 @@ function sampled(profile: PhotometricProfile, vertical: number, horizontal: numb
 test.each(Object.keys(files))('the texture of %s has the intensities of the file, as parts of the largest', (path) => {
   const profile = new PhotometricProfile(parseIES(files[path]));
   const { data, maximumIntensity } = profile;
-  // light ends at an angle in two of them, and what lies between texels of type B is on an arc
+  // in two files light ends at an angle, and between texels, type B has arcs
   const error = data.type === 'C' ? 1e-3 : 5e-3;
   for (let v = 0; v <= 180; v += 3.75) {
     if (Math.abs(v - data.verticalAngles.at(-1)!) < 1 && v < 180) continue;
@@ -291,7 +291,7 @@ test.each([
 
 test('a file of long lines is read, and told by its line', () => {
   const head = (blanks: number) => `IESNA:LM-63-2002\n[TEST] a${' '.repeat(blanks)}b\nTILT=NONE\n`;
-  // a pattern that tries every end of such a line takes minutes: then the test runner's limit ends the test
+  // a pattern with backtracking would take minutes, and exceed the test runner's limit
   expect(() => parseIES(`${head(1_000_000)}1 ${'1'.repeat(300_000)}x`)).toThrow(/Line 4: "1+" is not a number/);
   const whole = fileOf('lm63-1986-rotational').replace(/^/, 'IESNA:LM-63-2002\n[TEST]   two  words \t\n');
   expect(parseIES(whole).keywords.get('TEST')).toBe('two  words');

@@ -11,7 +11,7 @@ camera.updateMatrixWorld();
 const settings = { shadows: 'all', layers: null } as const;
 const size = { width: 64, height: 64 };
 const ranks = { 'by-volume': null, 'by-depth': rankByDepth, 'by-grid': rankByGrid } as const;
-/** As while the code that masks a light is not there. */
+/** Masks as they are until the code of masks is loaded. */
 const without: LightMasks = { records: 0, recordOf: () => -1, write: () => {} };
 
 describe('the light table', () => {
@@ -61,7 +61,7 @@ describe('the light table', () => {
     expect(table.listed).toBe(table.bounded + 256);
     if (order === 'by-depth') expect(table.plainQuads).toBe(quads);
     if (!withSpot) return;
-    // the extension of the spot light lies behind the records of fields
+    // the spot light's extension record follows the records of fields
     const record = table.firstBounded + table.bounded - 1;
     const extension = table.table.data[record * FLOATS_PER_RECORD + LIGHT.details + 3];
     expect(extension).toBe(table.recordCount - 1 + 256);

@@ -1,5 +1,5 @@
-// Sum of all ambient and hemisphere lights, as a constant and three slopes: exact, since each is linear in the
-// normal. Farol; three's HemisphereLight: mix(ground, sky, 0.5 * dot(normal, up) + 0.5)
+// Sum of all ambient and hemisphere lights, each linear in the normal: a constant and three slopes.
+// Farol; three's HemisphereLight: mix(ground, sky, 0.5 * dot(normal, up) + 0.5)
 uniform vec3 farol_ambient;
 // change of the ambient irradiance along x, y and z of the normal, view space
 uniform mat3 farol_ambientSlopes;

@@ -1,5 +1,5 @@
-// Adds directional lights and lights without a range to every pixel; the chunk before (such as volumeLighting) shades
-// a pixel. Thesis 3.2.3.2
+// Adds directional lights and lights without a range to every pixel, which the chunk before (volumeLighting) shades.
+// Thesis 3.2.3.2
 #include "lightTable"
 #include "depthMode"
 //# main

@@ -1,5 +1,6 @@
 // Reads one light of the table, and returns the light that arrives at a point: direction, colour, and the extension
-// record if any. Farol; types of lights: three.js and thesis 3.2.5.3
+// record if any.
+// Farol; types of lights: three.js and thesis 3.2.5.3
 #include "lightTable"
 #include "areaLight"
 #include "lightAttenuation"

@@ -7,9 +7,9 @@ import { rankByDepth } from '../techniques/light-lists/rankByDepth';
 import { type PlainPoints, POINT } from '../lights/plainPoints';
 import { LightTable } from './LightTable';
 
-/** Properties that a frame may read of a plain point light, its colour and matrix counted as one each time. */
+/** Maximum number of a plain point light's properties that a frame may read; each read of colour or matrix counts as one. */
 const MOST_READS = 8;
-/** Properties that finding a light and bringing its matrices up to date may read. */
+/** Number of properties read to find a light and update its matrices. */
 const FOUND_READS = 22;
 
 readLightsInRows();
@@ -73,7 +73,7 @@ it('reads few properties of a light to find it and to bring its matrices up to d
   for (let frame = 0; frame < 3; frame++) {
     reads = 0;
     collectLights(scene, new Camera(), left, found, true);
-    // the first light is asked once more; the first frame makes all matrices anew
+    // the first light has one more read; not in the first frame, which computes all matrices
     if (frame > 0) expect((reads - 1) / 50).toBe(FOUND_READS);
   }
   expect(found.count).toBe(50);

@@ -6,7 +6,7 @@ import { rankByGrid } from '../techniques/light-lists/rankByGrid';
 import { createRandom } from '../lights/testing/testScenes';
 
 /**
- * Time of the records of one frame in which every light has moved, without the upload.
+ * Time to write the records of one frame in which every light has moved, without the upload.
  * `npx vitest bench --run --config packages/vitest.config.ts lightTable`
  */
 const camera = new PerspectiveCamera(60, 16 / 9, 0.1, 100);

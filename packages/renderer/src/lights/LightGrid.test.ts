@@ -17,7 +17,7 @@ const HEIGHT = 184;
 const float = new Float32Array(1);
 const bits = new Int32Array(float.buffer);
 
-/** As farol_depthBin, in 32-bit floats. */
+/** farol_depthBin in JavaScript, with 32-bit floats. */
 function binOf(grid: LightGrid, depth: number): number {
   float[0] = Math.max(0, Math.fround(Math.fround(depth) + Math.fround(grid.depthShift)));
   const bin = Math.fround(Math.fround(bits[0] - grid.depthStart) * Math.fround(grid.depthScale));
@@ -30,7 +30,7 @@ function hasBit(grid: LightGrid, tileX: number, tileY: number, rank: number): bo
   return ((grid.masks[at] >>> (rank & 31)) & 1) === 1;
 }
 
-/** The lights of a list: of a pixel's tile and its depth's bin. */
+/** The lights in the list of a tile and a depth's bin. */
 function listAt(grid: LightGrid, tileX: number, tileY: number, depth: number): Set<number> {
   const bin = grid.bins[binOf(grid, depth)];
   const list = new Set<number>();
@@ -46,7 +46,7 @@ interface Missing {
   light: number[];
 }
 
-/** Points of lights that are on screen, and the lights that reach them but are not in their list. */
+/** Random points in lights' ranges on screen, and the lights that reach a point but are not in its list. */
 function missing(
   camera: TestCamera,
   grid: LightGrid,
@@ -152,7 +152,7 @@ describe.each(testCameras)('the grid of lights, $name', (camera) => {
       }
     }
     expect(marked).toBeGreaterThan(100);
-    // rows that the near or far plane cuts are marked as if it did not, but for its rectangle
+    // rows cut by the near or far plane are marked as if uncut, within the light's rectangle
     expect(wrong / marked).toBeLessThan(0.05);
   });
 
@@ -170,7 +170,7 @@ describe.each(testCameras)('the grid of lights, $name', (camera) => {
   });
 });
 
-/** Whether the part between near and far of the ray through a point of the screen meets a sphere. */
+/** Whether the ray through a point of the screen hits a sphere between near and far plane. */
 function rayReaches(
   m: readonly number[],
   u: number,
@@ -222,7 +222,7 @@ describe('LightGrid', () => {
     for (let rank = 1; rank < 400; rank++) {
       const before = -spheres[grid.order[rank - 1] * 4 + 2];
       const depth = -spheres[grid.order[rank] * 4 + 2];
-      // to within a bucket of the sort, a 4,080th of the range
+      // up to a bucket of the sort, a 4,080th of the range
       expect(depth).toBeGreaterThan(before - 0.005 * range);
     }
     const listed = spheres.filter((_, i) => i % 4 === 2).map((z) => listAt(grid, 5, 2, -z).size);

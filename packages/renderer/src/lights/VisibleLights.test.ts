@@ -40,7 +40,7 @@ function orthographic({ reversed }: Depths): OrthographicCamera {
   return camera;
 }
 
-/** A camera somewhere in the world, its matrices up to date. */
+/** Places a camera at random, and updates its matrices. */
 function placed(camera: Camera, random: () => number): Camera {
   camera.position.set(random() * 20 - 10, random() * 20 - 10, random() * 20 - 10);
   camera.lookAt(new Vector3(random() * 20 - 10, random() * 20 - 10, random() * 20 - 10));
@@ -49,14 +49,14 @@ function placed(camera: Camera, random: () => number): Camera {
   return camera;
 }
 
-/** Lights round what a camera at `centre` sees, up to twice as far off as its far plane. */
+/** Lights around a camera at `centre`, up to twice as far as its far plane. */
 function randomLights(count: number, random: () => number, centre: Vector3): Light[] {
   return Array.from({ length: count }, (_, i) => {
     const range = 0.5 + 12 * random() ** 2;
     const light =
       i % 3 === 0
         ? new PointLight(0xffffff, 1, range)
-        : // up to a half space: narrow ones have bounds of their own
+        : // wide cones up to a half space, since narrow ones are bounded differently
           new SpotLight(0xffffff, 1, range, 0.03 + (Math.PI / 2 - 0.03) * random());
     if (i % 5 === 0) {
       light.distance = 0;
@@ -187,7 +187,7 @@ it('has plain point lights as their class has them, read before or not', () => {
   const plain = figures(true);
   const warnings = warn.mock.calls.length;
   expect(figures(false)).toEqual(plain);
-  for (const light of lights) light.userData.farol = {}; // of another class, with nothing that sets it apart
+  for (const light of lights) light.userData.farol = {}; // lights of another class, with empty options
   expect(figures(false)).toEqual(plain);
   expect(warn.mock.calls.length).toBe(3 * warnings);
   expect(warnings).toBeGreaterThan(10);

@@ -77,7 +77,7 @@ describe.each(testCameras)('the rectangle of a cone, $name', ({ projection, near
       const cone = randomCone(random, reach);
       const nearest = -cone.apex[2] - coneSupport(cone.axis[2], cone.range, cone.angle);
       const farthest = -cone.apex[2] + coneSupport(-cone.axis[2], cone.range, cone.angle);
-      // a cone that nearly touches the eye has no size that samples tell
+      // samples cannot measure the size of a cone that nearly touches the eye
       if (nearest < Math.max(near, 0.05 * cone.range) || farthest > far) continue;
       if (!projectedConeBounds(...cone.apex, ...cone.axis, cone.range, cone.angle, projection, bounds)) continue;
       const sampled = [Infinity, Infinity, -Infinity, -Infinity];

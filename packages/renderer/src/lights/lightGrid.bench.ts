@@ -17,7 +17,7 @@ function hall(count: number, radius: number): Float32Array {
   return spheres;
 }
 
-/** Lights evenly over the depth of the view, so many of them near. */
+/** Lights spread evenly over the view's depth, so that many are near. */
 function view(count: number, radius: number): Float32Array {
   const random = createRandom(12);
   const spheres = new Float32Array(count * 4);

@@ -119,7 +119,7 @@ describe('projectedSphereBounds', () => {
   });
 
   it('is never too small for an oblique near plane, as of a mirror', () => {
-    // row 2 as Reflector makes it: a clip plane through (0, -1, -4) that leans
+    // row 2 as set by three's Reflector: a tilted clip plane through (0, -1, -4)
     const oblique = [...m];
     [oblique[2], oblique[6], oblique[10], oblique[14]] = [0.3, 1.2, -0.5, 1.1];
     projectedSphereBounds([0.2, -0.5, -3, 1], 0, oblique, bounds);

@@ -38,7 +38,7 @@ test('a frame in which a twin compiles shaders that the page has changed is outd
   const cache = makeCache();
   const source = new MeshStandardMaterial();
   const shader = () => ({ uniforms: {}, vertexShader: '', fragmentShader: '' }) as never;
-  /** A frame that makes a twin and compiles it. @returns whether it is to be drawn once more */
+  /** Draws a frame that makes and compiles a twin. @returns whether it must be drawn again */
   const frame = (changes: boolean): boolean => {
     cache.begin();
     const twin = cache.get(source, kindOf('a'));
@@ -51,7 +51,7 @@ test('a frame in which a twin compiles shaders that the page has changed is outd
     expect(frame(false)).toBe(false);
     expect(frame(true)).toBe(true);
     expect(frame(false)).toBe(false);
-    // a page that changes them at every compile is not drawn without end
+    // a page that changes chunks at every compile is not redrawn endlessly
     expect([frame(true), frame(true), frame(true)]).toEqual([true, true, false]);
   } finally {
     ShaderChunk.fog_fragment = fog_fragment;

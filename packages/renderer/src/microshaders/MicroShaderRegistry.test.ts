@@ -4,7 +4,7 @@ import type { ShaderSource } from './Shader';
 
 const chunk = (name: string) => ({ name, header: '', main: '', dependencies: [] });
 
-/** A compiler that refuses sources with the word BROKEN, and keeps count of what lives. */
+/** A compiler that refuses sources with the word BROKEN, and records living programs. */
 function fakeCompiler() {
   const alive = new Set<ShaderSource>();
   return {
@@ -343,7 +343,7 @@ describe('removing', () => {
     expect(registry.get('late')!.header).toBe('float edited;');
     registry.remove('late');
     expect(registry.get('late')!.header).toBe('float more;');
-    // what is put back as it was is not edited
+    // a chunk replaced by its original text is not edited
     const before = registry.get('a')!;
     registry.replace('a', 'float edited;');
     registry.replace('a', before);

@@ -13,7 +13,7 @@ await registry.loadXML(
   '<microshaders>\n<microshader name="out">\n<main>\n  gl_FragColor = d;\n</main></microshader></microshaders>',
 );
 
-// what a driver gets: three puts lines before it, and its own chunk in the place of the include
+// source for the driver: three adds lines before it, and expands its own include
 const source = `#version 300 es\n#define THREE\n${registry.compose([], ['light', 'out']).fragmentShader.replace('#include <common>', 'float three1;\nfloat three2;')}// end`;
 const lineOf = (text: string) => source.split('\n').findIndex((line) => line.includes(text)) + 1;
 

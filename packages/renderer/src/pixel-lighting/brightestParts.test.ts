@@ -2,7 +2,7 @@ import { Color } from 'three';
 import { expect, test } from 'vitest';
 import { brightestParts } from './brightestParts';
 
-/** Finds among lights of given brightness. @returns what was found, draws that it took, what was told of the progress */
+/** Runs `brightestParts` on lights of given brightness. @returns lights found, number of draws, and reported progress */
 function find(
   lights: readonly number[],
   most: number,

@@ -1,6 +1,6 @@
 import type { Color } from 'three';
 
-/** Lights that were drawn together. */
+/** A group of lights that were drawn together. */
 export interface Measured<Part> {
   readonly parts: readonly Part[];
   readonly color: Color;
@@ -9,11 +9,11 @@ export interface Measured<Part> {
 /** Maximum size of a group that is split into single lights at once. */
 const FEW = 4;
 
-/** Relative luminance of linear RGB, by the magnitude of each channel: lights may take light away. */
+/** Relative luminance of linear RGB, by the magnitude of each channel, since lights may be negative. */
 export const brightnessOf = ({ r, g, b }: Color): number =>
   0.2126 * Math.abs(r) + 0.7152 * Math.abs(g) + 0.0722 * Math.abs(b);
 
-/** Lights that were told apart, and all others that give light, in groups. */
+/** Lights measured one by one, and all others that give light, in groups. */
 export interface BrightestParts<Part> {
   /** Single lights, brightest first. */
   readonly single: readonly Measured<Part>[];
@@ -21,10 +21,10 @@ export interface BrightestParts<Part> {
 }
 
 /**
- * Finds the brightest of many lights by few draws: groups of lights are drawn together, and the brightest group is split until no
- * group is brighter than the lights that are known. Yields the part of the light that is known, 0 to 1, after each draw.
- * @param measure - light of a group
- * @param most - single lights to find, by at most 8 draws each and 64
+ * Finds the brightest of many lights by few draws: groups of lights are drawn together, and the brightest group is split until
+ * no group is brighter than the single lights found. Yields the share of the light found so far, 0 to 1, after each draw.
+ * @param measure - draws a group, and returns its light
+ * @param most - number of single lights to find, by at most 8 draws for each, plus 64
  */
 export function* brightestParts<Part>(
   parts: readonly Part[],

@@ -1,5 +1,6 @@
 import { type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
+import { checkCopy } from '../three/checkCopy';
 import { drawCameras, type DrawByCamera } from './drawCameras';
 import type { Session } from '../frame/Session';
 import { checkDevice } from '../gpu/checkDevice';
@@ -89,6 +90,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   ) {
     super();
     checkDevice(webgl, false);
+    checkCopy(webgl);
     this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LazyViews(this.microshaders);
@@ -200,12 +202,10 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
 
   /**
    * Fulfilled when the last frame had all code and programs that it needed and 'auto' is not changing technique: the same scene
-   * drawn again gives the same picture, except for effects that gather frames. Each read returns a new promise. The host must go
-   * on drawing: the promise waits for one more frame where code was missing, for the first frame where there was none, and for
-   * the next one after a lost context. Hosts that draw on demand draw again on the event 'redraw'.
-   *
-   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the mend (later frames and calls
-   * try again), and when this renderer is disposed.
+   * drawn again gives the same picture, except for effects that gather frames. Each read returns a new promise. It waits for
+   * frames of the host's: for the first one, one after missing code or a lost context. Hosts that draw on demand draw again on
+   * the event 'redraw'. Rejected when a part of the code cannot be fetched, with an Error that names the part and the remedy
+   * (later frames and calls try again), and when this renderer is disposed.
    */
   get ready(): Promise<void> {
     return warmUpCode.load().then((code) => code.whenReady(this.last, this.picker, () => this.disposed));
@@ -314,13 +314,12 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Fetches code ahead that `render` otherwise fetches when a scene or setting first needs it, for all renderers of the page. In
-   * brackets: the picture until then. Shadow maps, cookies and light layers (three draws shadows and maps of up to four lights,
-   * more have none, and layers are ignored), area lights (three draws them as rectangles), light fields (they light nothing),
-   * anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them),
-   * views of surfaces, overdraw and buffers (the final picture is shown), techniques other than 'deferred' and
-   * 'forward-single-pass', and the rules of 'auto' (the scene's last technique draws, or one of these two), GPU times, frame
-   * budgets.
+   * Fetches code ahead, for all renderers of the page, that `render` else fetches when first needed. In brackets, until then:
+   * Shadow maps, cookies and light layers (three draws shadows and maps of up to four lights, more have none, and layers are
+   * ignored), area lights (three draws them as rectangles), light fields (they light nothing), anti-aliasing of techniques with
+   * a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them), views of surfaces, overdraw and
+   * buffers (the final picture is shown), techniques other than 'deferred' and 'forward-single-pass', and the rules of 'auto'
+   * (the scene's last technique draws, or one of these two), GPU times, frame budgets.
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */
@@ -347,8 +346,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * @throws Error when the code cannot be fetched
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
-    const { last, finder } = this;
-    return warmUpCode.load().then((code) => code.compileByDrawing(this, last, finder, scene, camera));
+    return warmUpCode.load().then((code) => code.compileByDrawing(this, this.last, this.finder, scene, camera));
   }
 
   /** Frees all GPU resources of Farol, not the host's. A call within `render` frees them when the frame ends. */
@@ -367,8 +365,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Frees the GPU resources; the next frame makes them anew. Also called when the context is lost: if disposed after its return,
-   * three would delete old handles in the new context.
+   * Frees the GPU resources; the next frame creates them again. Also called when the context is lost: if disposed after its
+   * return, three would delete old handles in the new context.
    */
   private readonly free = (): void => {
     this.last.isDrawn = false;

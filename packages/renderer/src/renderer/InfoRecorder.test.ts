@@ -45,7 +45,7 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
   expect([info.lights.total, info.lights.visible, info.uploadBytes]).toEqual([7, 3, 128]);
   expect(info.gpuMs).toBe(null);
   expect(info.quality).toBe('lite');
-  // counted where they are read, in no frame
+  // counted when read, outside of a frame
   expect(info.memory).toMatchObject({ gbuffer: 5, lights: 1, shadows: 0 });
   expect(info.targetBytes).toBe(5 + 2);
   recorder.dispose();

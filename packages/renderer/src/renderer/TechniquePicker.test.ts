@@ -11,7 +11,7 @@ import { warmUpCode } from './lazyCode';
 import { type DrawnScene, TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
 
-// a WebGLRenderer of a device; what a picker asks of it
+// the parts of a WebGLRenderer that a picker reads
 const device = (floatTargets: boolean) => {
   class Context {
     isContextLost() {
@@ -30,7 +30,7 @@ const passThat = (writes: Pass['writes']): Pass[] => [
   { name: 'pass', reads: [], writes, bytes: 0, render() {}, dispose() {} },
 ];
 
-/** Draws frames of scenes by a picker, none of whose late code is there until `load` is called. */
+/** Draws frames of scenes by a picker, whose late code is not loaded until `load` is called. */
 function makePicker() {
   const set = new TechniqueSet(new MicroShaderRegistry());
   const lates: Lazy<object>[] = [];

@@ -11,7 +11,7 @@ const files = import.meta.glob<string>('../**/*.glsl', { query: '?raw', import: 
 const lazy: readonly { readonly microShaders?: Readonly<Record<string, string>> }[] = await Promise.all(
   (lazyCode as readonly Lazy<object>[]).map((part) => part.load()),
 );
-/** Texts of the microshaders, by name: files, and those that are made from tables. */
+/** Texts of the microshaders, by name: from files, and generated from tables. */
 const chunks: Readonly<Record<string, string>> = Object.assign(
   Object.fromEntries(
     Object.entries(files).map(([path, text]) => [path.slice(path.lastIndexOf('/') + 1, -'.glsl'.length), text]),
@@ -26,7 +26,7 @@ const sources = import.meta.glob<string>(['../**/*.ts', '!../**/*.{test,bench}.t
 });
 
 const LISTED = ['lightLoopTiled', 'lightLoopClustered', 'lightLoopSlices'];
-/** Microshaders that stand for the names that are no literals in lists of passes. */
+/** Microshaders for variables in the lists of passes. */
 const variables: Readonly<Record<string, readonly string[]>> = {
   'lists.loop': LISTED,
   'this.target': ['volumeLighting', 'volumeLightBuffer'],
@@ -56,7 +56,7 @@ function listsIn(property: string): string[][] {
   });
 }
 
-/** Lists of the twins of lit materials: any loop, with what kinds of twins add to it. */
+/** Lists of microshaders of lit materials' twins: each loop, with the chunks that kinds of twins add. */
 function twinLists(): string[][] {
   const own = new MeshStandardMaterial();
   own.onBeforeCompile = () => {};
@@ -72,7 +72,7 @@ function twinLists(): string[][] {
   );
 }
 
-/** Names of the macros that a shader's text defines anew, or takes away, after code that expands them. */
+/** Names of the macros that a shader's text redefines or undefines after code that expands them. */
 function redefined(text: string): string[] {
   const code = text.replace(/\/\*[^]*?\*\/|\/\/.*/g, '').replaceAll('\\\n', ' ');
   const bodies = new Map<string, string>();

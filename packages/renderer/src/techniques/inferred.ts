@@ -8,7 +8,7 @@ import type { Technique } from '../frame/Technique';
  * scale of a half:
  * - Light that changes within two pixels (fine normal maps, small highlights, hard edges of light) is smoothed.
  * - A transparent layer has a sample of light every four pixels, in place of the surface behind it. Up to three
- * overlapping layers are lit right; with more, farther ones take the light of the most similar texel nearby.
+ *   overlapping layers are lit right; with more, farther ones take the light of the most similar texel nearby.
  * - Objects or parts smaller than two pixels may have no sample, and take that of the most similar texel nearby.
  * - Objects are told apart by number, up to 2,047 in a frame; two objects with the same number only by depth and normal.
  * @see Kircher and Lawrance 2009, Inferred Lighting: Fast dynamic lighting and shadows for opaque and translucent objects,

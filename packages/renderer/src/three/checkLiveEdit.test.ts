@@ -4,7 +4,7 @@ import { MicroShaderRegistry } from '../microshaders/MicroShaderRegistry';
 import type { ShaderSource } from '../microshaders/Shader';
 import { checkLiveEdit } from './checkLiveEdit';
 
-/** A context that holds one program, and compiles what has none of the refused words. */
+/** A context with one program that refuses to compile sources with certain words. */
 function contextWith(fragment: string, refused: RegExp) {
   const tried: string[] = [];
   let source = '';

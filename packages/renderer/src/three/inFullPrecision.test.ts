@@ -14,7 +14,7 @@ registry.add({
 });
 registry.add({ name: 'place', dependencies: [], header: '', main: 'gl_Position = vec4(0.0);' });
 
-/** Statements of precision, and what they stand before. */
+/** Precision statements of a shader, and the text after each. */
 const statements = (shader: string): string[] =>
   shader.split('\n').filter((line) => /^(precision \w+ (float|int);|#if|#el|#endif|uniform|void main)/.test(line));
 

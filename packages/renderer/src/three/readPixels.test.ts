@@ -6,7 +6,7 @@ const TIMEOUT_EXPIRED = 0x911b;
 const CONDITION_SATISFIED = 0x911c;
 const WAIT_FAILED = 0x911d;
 
-/** A renderer whose GPU does what `state` says; every read gives 7. */
+/** A renderer with a fake GPU, controlled by `state`; every read returns 7. */
 function fakeRenderer() {
   const canvas = new EventTarget();
   const state = { wait: TIMEOUT_EXPIRED, isLost: false, framebuffer: {} as object | undefined };

@@ -53,7 +53,7 @@ function addTemple(build: SceneBuilder): GameObject {
   return building;
 }
 
-/** Sunset: a warm sun at the left, whose shadow falls on the lamps' side, a sky, and tone mapping. */
+/** Adds a sunset: a warm sun from the left, whose shadows fall on the side of the lamps, a sky, and tone mapping. */
 function lightEvening(build: SceneBuilder): void {
   Object.assign(build.scene.settings, {
     ...{ background: 'sky', sky: 'sunset', skyLight: false, backgroundIntensity: 0.6 },

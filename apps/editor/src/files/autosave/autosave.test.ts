@@ -65,7 +65,7 @@ it.each([1, 2, 3])('the stored parts make the very scene, after any changes, see
     else if (act < 0.9) object.transform.position = [random(), 0, 0];
     else if (act < 0.95) commands.undo();
     else changePrefab(scene, makePrefab(object, 'Some', scene.prefabs.list[0]?.id).prefab);
-    // stores a few of the noted changes, sometimes all of them
+    // stores some of the noted changes, sometimes all
     if (random() < 0.05) readAll(delta, parts);
     else
       for (let count = random() * 6; count > 1; count--)
@@ -102,10 +102,10 @@ it('objects that are removed before they are read are let go', async () => {
     return new WeakRef(object);
   };
   const gone = Array.from({ length: 20 }, comeAndGo);
-  // references are let go between tasks
+  // lets the engine release weak references, which it keeps until the task ends
   await new Promise((resolve) => setImmediate(resolve));
   collect();
-  // the last one may be on the stack
+  // one may still be referenced from the stack
   expect(gone.filter((each) => each.deref() !== undefined).length).toBeLessThan(2);
   expect(delta.isEmpty).toBe(false);
 });
@@ -186,7 +186,7 @@ it('drafts of one scene and minute are told apart by seconds, objects and the la
   expect(new Set(lines).size).toBe(lines.length);
   expect(lines[0]).toContain('4 objects · last edit: Add Torus');
   expect(lines[2]).toContain('1 object ·');
-  // as stored by earlier versions
+  // autosaves of earlier versions lack these fields
   expect(describeSession({ ...session, objects: undefined, edit: undefined })).not.toMatch(/object|edit/);
 });
 

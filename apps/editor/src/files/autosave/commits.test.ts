@@ -8,7 +8,7 @@ import { Autosave } from './Autosave';
 import type { AutosaveStore } from './AutosaveStore';
 import type { WorkerRequest } from './messages';
 
-/** Timers and idle periods that wait to be run, by number. */
+/** Pending timers and idle callbacks, by number. */
 const waiting = new Map<number, () => void>();
 let count = 0;
 const wait = (run: () => void): number => {
@@ -16,7 +16,7 @@ const wait = (run: () => void): number => {
   return count;
 };
 
-/** Runs timers and idle periods until none is left, and the answers that they lead to. */
+/** Runs timers and idle callbacks until none is left, with the promises that they resolve. */
 async function settle(): Promise<void> {
   for (let i = 0; i < 10; i++) await Promise.resolve();
   while (waiting.size > 0) {
@@ -43,7 +43,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.unstubAllGlobals());
 
-/** An autosave whose commits are answered by hand, in the order of `commits`. */
+/** An autosave whose commits the test answers, in the order of `commits`. */
 function open() {
   const document = new EditorDocument();
   const requests: WorkerRequest[] = [];

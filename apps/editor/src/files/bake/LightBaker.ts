@@ -111,7 +111,7 @@ export class LightBaker {
       return new Blob([await writeBake(data)]);
     } finally {
       for (const end of endings) end();
-      // an edit may have changed meshes that the bake had restored
+      // the bake restored former meshes, which an edit may have replaced meanwhile: objects set theirs up again
       if (document.scene === scene) {
         for (const type of [ObjectRenderer, ModelRenderer]) {
           for (const component of scene.componentsOf<ObjectRenderer | ModelRenderer>(type as typeof ObjectRenderer))
@@ -128,7 +128,7 @@ export class LightBaker {
     this.changed.emit();
   }
 
-  /** Adds the file to the library, and lights the scene with it. */
+  /** Adds the baked light to the library, and uses it in the scene. */
   private async useBakedLight(scene: Scene, blob: Blob): Promise<void> {
     const { assets } = scene;
     const name = freeAssetName(assets, `${t('Baked light')}.bake`);

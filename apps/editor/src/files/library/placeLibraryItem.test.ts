@@ -31,7 +31,7 @@ function editorAt(eye: Triple, target: Triple): EditorApi {
 
 const rounded = (values: readonly number[]): number[] => values.map((each) => Math.round(each * 100) / 100 + 0);
 
-/** Adds an item; its position, and the direction of its front, -Z, in the world. */
+/** Adds an item. @returns its position, and the world direction of its front, -Z */
 async function placed(editor: EditorApi, id: string, at?: { x: number; y: number }): Promise<[number[], number[]]> {
   const { scene, selection } = editor.document;
   await placeLibraryItem(editor, id, { at });
@@ -40,7 +40,7 @@ async function placed(editor: EditorApi, id: string, at?: { x: number; y: number
   return [rounded(transform.position), rounded(transform.front.toArray())];
 }
 
-/** A room of 4 × 2.6 × 4 m round the origin. */
+/** Adds a room of 4 × 2.6 × 4 m around the origin. */
 function addRoom({ document }: EditorApi): void {
   const room = new GameObject('Room');
   room.addComponent(Room, { width: 4, depth: 4, height: 2.6, door: 'none', window: 'none' });
@@ -68,7 +68,7 @@ test('a lamp comes with its prefab and materials as one step; another shares the
     1,
     2,
   ]);
-  // a lantern below it has a material of its own, and no place in the view
+  // an item below a parent gets its own material, and is not placed by the view
   await placeLibraryItem(editor, 'lantern', { parent: first });
   expect([first.children.at(-1)!.name, first.children.at(-1)!.transform.position]).toEqual(['Lantern', [0, 0, 0]]);
   for (let i = 0; i < 3; i++) commands.undo();
@@ -84,10 +84,10 @@ test('a street lamp stands on the floor, a pendant hangs from the ceiling above,
   expect((await placed(editor, 'candle', floor))[0][1]).toBe(0);
   const [pendant] = await placed(editor, 'pendant', floor);
   expect(pendant[1]).toBe(2.6);
-  // at the ceiling itself, and beside the first one
+  // pointed at the ceiling: beside the first lamp
   const [second] = await placed(editor, 'pendant', { x: 50, y: 5 });
   expect(second[1]).toBe(2.6);
-  // the wall before the eye faces +Z, the right one -X
+  // the wall in front of the eye faces +Z, the right one -X
   const [sconce, front] = await placed(editor, 'sconce');
   expect([sconce[2], front]).toEqual([-2, [0, 0, 1]]);
   const [another] = await placed(editor, 'sconce');

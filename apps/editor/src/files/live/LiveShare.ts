@@ -270,7 +270,7 @@ async function phonePages(): Promise<readonly string[]> {
 
 const shares = new WeakMap<EditorApi, LiveShare>();
 
-/** Shares an editor's scene. Asks the server anew, which may have been restarted with `--host`. */
+/** The share of an editor's scene; a new one if the server lacked `--host`, since it may have been restarted. */
 export function shareOf(editor: EditorApi): LiveShare {
   const before = shares.get(editor);
   if (before && before.addresses?.length !== 0) return before;

@@ -36,7 +36,7 @@ export function liveSocket(query: string): WebSocket {
 /** Address of an asset's bytes on the dev server. */
 export const liveAsset = (id: string, hash: string): string => `/farol-live/${id}/${hash}`;
 
-/** The pieces of a head. @param hashOf - SHA-256 of the bytes of an asset; undefined for one without */
+/** Splits a scene file's head into parts. @param hashOf - SHA-256 of an asset's bytes; undefined for one without */
 export function splitHead(json: string, hashOf: (asset: FileAsset) => string | undefined): Map<PartKey, string> {
   const { assets, ...rest } = JSON.parse(json) as FileHead;
   const parts = new Map(Object.entries(rest).map(([name, value]) => [headKey(name), JSON.stringify(value)]));

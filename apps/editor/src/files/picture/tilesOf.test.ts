@@ -19,7 +19,7 @@ it.each([
       drawn.x <= x && drawn.y <= y && x + wide <= drawn.x + drawn.width && y + high <= drawn.y + drawn.height,
     ).toBe(true);
     expect(Math.max(drawn.width, drawn.height)).toBeLessThanOrEqual(4096);
-    // effects at a seam see their neighbours
+    // a margin for effects that read neighbours across a seam
     if (x > 0) expect(x - drawn.x).toBe(64);
     if (x + wide < width) expect(drawn.x + drawn.width).toBe(Math.min(width, x + wide + 64));
   }

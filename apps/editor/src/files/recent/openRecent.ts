@@ -14,7 +14,7 @@ async function bytesOf({ name, handle, copy }: RecentFile): Promise<Blob> {
   const mend = t('choose it by Open… in the menu File.');
   if (!handle) throw new Error(t('{name} was too large for a copy: {mend}', { name, mend }));
   const answer = (await (handle as Permitted).requestPermission?.({ mode: 'read' })) ?? 'granted';
-  if (answer !== 'granted') throw new Error(t('The browser may not read {name}: {mend}', { name, mend }));
+  if (answer !== 'granted') throw new Error(t('The browser has no permission to read {name}: {mend}', { name, mend }));
   return handle.getFile().catch(() => {
     throw new Error(t('{name} is no longer where it was: {mend}', { name, mend }));
   });

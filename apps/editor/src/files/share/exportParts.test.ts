@@ -21,7 +21,7 @@ export default class Spin extends component({}) {}`;
 
 const compressed = JSON.stringify({ asset: { version: '2.0' }, extensionsUsed: ['KHR_draco_mesh_compression'] });
 
-/** Files that a page is built from, for a scene of one object with these components. */
+/** Names of the files requested for a page with one object with these components. */
 async function partsOf(types: readonly string[], fill: (assets: AssetLibrary) => void = () => {}): Promise<string[]> {
   const assets = new AssetLibrary();
   const scene = new Scene({ assets });

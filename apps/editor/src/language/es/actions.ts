@@ -117,7 +117,7 @@ export const actions: Texts = {
   'What the techniques cannot do': 'Lo que las técnicas no pueden hacer',
   Plugins: 'Complementos',
   'X, Y, Z while dragging a handle': 'X, Y, Z al arrastrar un manipulador',
-  'Along that axis alone; with Shift along the other two; again: as before':
+  'Only along that axis; with Shift along the other two; again: in all directions':
     'Solo por ese eje; con Mayús, por los otros dos; otra vez: como antes',
   'Numbers while dragging a handle': 'Números al arrastrar un manipulador',
   'Set the amount; Tab: the next axis; Enter: keep it; Escape: put it back':

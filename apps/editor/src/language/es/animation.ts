@@ -24,7 +24,7 @@ export const animation: Texts = {
   'How much of the morph target is added.': 'Cuánto se añade del destino de deformación.',
   'Weights of the morph targets.': 'Los pesos de los destinos de deformación.',
   'Make editable copy': 'Hacer copia editable',
-  'Makes a clip of your own of the clip of the model, for the objects that it is unpacked into':
+  'Copies the clip as one that can be edited, for the objects that the model is unpacked into':
     'Hace un clip propio a partir del clip del modelo, para los objetos en que se desempaqueta',
   'Clips of skeletons and morph targets play as they are: what they move stays one object when the model is unpacked.':
     'Los clips de esqueletos y de formas se reproducen como son: lo que mueven sigue siendo un solo objeto al desempaquetar el modelo.',

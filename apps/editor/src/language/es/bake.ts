@@ -34,7 +34,8 @@ export const bake: Texts = {
   Lightmaps: 'Mapas de luz',
   'How finely light is baked on surfaces.': 'Con qué detalle se calcula la luz sobre las superficies.',
   'Light probes': 'Sondas de luz',
-  'They bring baked light to what is not static.': 'Por ellas llega la luz precalculada a lo que no es estático.',
+  'They give baked light to objects that are not static.':
+    'Por ellas llega la luz precalculada a lo que no es estático.',
   '{count} static object': '{count} objeto estático',
   '{count} static objects': '{count} objetos estáticos',
   '{count} baked light': '{count} luz precalculada',

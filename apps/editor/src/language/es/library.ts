@@ -144,7 +144,7 @@ export const library: Texts = {
   'Script from a template': 'Script de una plantilla',
   'Tags of the object': 'Etiquetas del objeto',
   'Tagged {name}': 'Etiquetar {name}',
-  'Words by which scripts and triggers know the object, with commas between them.':
+  'Words by which scripts and triggers find the object, separated by commas.':
     'Palabras por las que scripts y disparadores conocen el objeto, separadas por comas.',
   Problem: 'Problema',
   'The object has no collider: nothing can enter or touch it.':
@@ -181,7 +181,7 @@ export const library: Texts = {
   'Open folder…': 'Abrir carpeta…',
   'Shows the prefabs of all scene files in a folder': 'Muestra los prefabs de todas las escenas de una carpeta',
   'Put into the library': 'Poner en la biblioteca',
-  'Keeps it with all that it uses, for every scene of this browser.':
+  'Stores it with all that it uses, for every scene in this browser.':
     'Lo guarda con todo lo que usa, para todas las escenas de este navegador.',
   '{name} is in the library now, for all scenes.': '{name} está ahora en la biblioteca, para todas las escenas.',
   'Remove {name} from the library': 'Quitar {name} de la biblioteca',

@@ -82,13 +82,13 @@ export const picture: Texts = {
   'Names of effects of plugins that are on, with commas between them.':
     'Nombres de los efectos de complementos activados, separados por comas.',
   'Set effects': 'Elegir los efectos',
-  'What is seen behind the objects, and lights them.': 'Lo que se ve detrás de los objetos, y los ilumina.',
+  'The background, and the light from it.': 'Lo que se ve detrás de los objetos, y los ilumina.',
   'How objects fade with distance.': 'Cómo se funden los objetos con la distancia.',
   'Volumetric fog is off: fog volumes are not drawn. Switch it on among the effects.':
     'La niebla volumétrica está apagada: los volúmenes de niebla no se ven. Actívala entre los efectos.',
   'How light becomes a picture.': 'Cómo la luz se convierte en imagen.',
   'Picture effects': 'Efectos de imagen',
-  'What is done to the finished picture.': 'Lo que se hace a la imagen terminada.',
+  'Effects on the finished picture.': 'Lo que se hace a la imagen terminada.',
   'This technique has no depth before it lights, so {effect} is left out. {names} have it.':
     'Esta técnica no conoce la profundidad antes de sombrear: no hay {effect}. La tienen: {names}.',
   'This technique has no G-buffer, so {effect} is left out. {names} have it.':
@@ -156,11 +156,11 @@ export const picture: Texts = {
     'Cada fotograma se dibuja como una imagen de su instante, tarde lo que tarde. Sin sonido.',
   'The view as shown': 'La vista como se ve',
   'The scene’s camera': 'La cámara de la escena',
-  'Also where a script chooses another.': 'También cuando un script elige otra.',
+  'Follows scripts that switch cameras.': 'También cuando un script elige otra.',
   'Through the stored views': 'Por las vistas guardadas',
   'A smooth path in their order.': 'Un recorrido suave, en su orden.',
   Turntable: 'Plataforma giratoria',
-  'Around the selection, or the scene, from the view as shown.':
+  'Around the selection or the scene, from the current view.':
     'Alrededor de la selección, o de la escena, desde la vista actual.',
   'The scene plays': 'La escena se reproduce',
   Turns: 'Vueltas',

@@ -11,7 +11,7 @@ export const rendering: Texts = {
   'Technique to compare with': 'Técnica con la que comparar',
   Difference: 'Diferencia',
   'Show the difference': 'Mostrar la diferencia',
-  'The difference of the two, channel by channel as it is seen, made larger.':
+  'The difference of both pictures in each colour channel, amplified.':
     'La diferencia entre ambas, canal a canal como se ve, aumentada.',
   'Made larger by': 'Aumentada por',
   'Difference made larger by': 'Diferencia aumentada por',
@@ -23,8 +23,8 @@ export const rendering: Texts = {
   'Off by more than 2': 'Difieren en más de 2',
   '{percent}% of the pixels': '{percent} % de los píxeles',
   Effects: 'Efectos',
-  'What takes part in the picture beside the technique.': 'Lo que interviene en la imagen además de la técnica.',
-  'What the picture is drawn by, and what of it is shown.': 'Con qué se dibuja la imagen y qué se muestra de ella.',
+  'Parts of the picture besides the technique.': 'Lo que interviene en la imagen además de la técnica.',
+  'The technique that draws the picture, and the view of it.': 'Con qué se dibuja la imagen y qué se muestra de ella.',
   'Technique of the frame': 'Técnica del fotograma',
   'View of the frame': 'Vista del fotograma',
   '{visible} of {total} in view': '{visible} de {total} a la vista',

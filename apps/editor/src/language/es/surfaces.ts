@@ -22,7 +22,7 @@ export const surfaces: Texts = {
   'Made surface {name} for {objects}': 'Superficie {name} creada para {objects}',
   'New surface': 'Nueva superficie',
   'Edit its text': 'Editar su texto',
-  'GLSL of the library that changes its look and its shape, and the values that it asks for.':
+  'GLSL of the library that changes colour and shape, and its uniforms.':
     'GLSL de la biblioteca que cambia su aspecto y su forma, y los valores que pide.',
   surface: 'superficie',
   'Text of the surface': 'Texto de la superficie',

@@ -48,9 +48,9 @@ export const timeline: Texts = {
   'Selected event': 'Evento seleccionado',
   'Selected keys': 'Claves seleccionadas',
   Method: 'Método',
-  'Called on every component of the object, and of all below it, that has it.':
+  'Called on every component that has it, of the object and of all below it.':
     'Se llama en cada componente del objeto, y de todo lo que cuelga de él, que lo tenga.',
-  'Handed to the method: a number, yes or no, or text; nothing when empty.':
+  'Argument of the method: a number, yes or no, or text; none when empty.':
     'Se pasa al método: un número, sí o no, o texto; nada si está vacío.',
   'Time of the event': 'Tiempo del evento',
   'Timeline tools': 'Herramientas de la línea de tiempo',

@@ -27,10 +27,10 @@ export const views: Texts = {
   'Debug view': 'Vista de depuración',
   'Share of the sky that is open over each pixel: white is all of it.':
     'Parte del cielo abierta sobre cada píxel: blanco es todo.',
-  'Way of each pixel since the last frame: colour is direction, brightness length.':
+  'Motion of each pixel since the last frame: colour is direction, brightness length.':
     'Recorrido de cada píxel desde el último fotograma: el color es la dirección y el brillo, la longitud.',
   'Full colour: {pixels} pixels a frame and more': 'Color pleno: {pixels} píxeles por fotograma o más',
-  'Pixels whose past TAA does not use, since particles cover them.':
+  'Pixels whose history TAA ignores, since particles cover them.':
     'Píxeles cuyo pasado TAA no usa, porque los cubren partículas.',
   'Sums of light on each pixel, before materials give them their colours.':
     'Sumas de luz en cada píxel, antes de que los materiales les den color.',

@@ -48,6 +48,6 @@ export const welcome: Texts = {
     'Hay trabajo sin guardar: «Recuperar…», en el menú Archivo, lo trae de vuelta.',
   'choose it by Open… in the menu File.': 'se elige con Abrir…, en el menú Archivo.',
   '{name} was too large for a copy: {mend}': '{name} era demasiado grande para una copia: {mend}',
-  'The browser may not read {name}: {mend}': 'El navegador no puede leer {name}: {mend}',
+  'The browser has no permission to read {name}: {mend}': 'El navegador no puede leer {name}: {mend}',
   '{name} is no longer where it was: {mend}': '{name} ya no está donde estaba: {mend}',
 };

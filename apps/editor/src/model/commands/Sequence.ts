@@ -16,6 +16,14 @@ export class Sequence implements Command {
     readonly selection?: CommandSelection,
   ) {}
 
+  /** A sequence of commands that exist already. */
+  static of(label: string, commands: readonly Command[]): Sequence {
+    return new Sequence(
+      label,
+      commands.map((command) => () => command),
+    );
+  }
+
   /** The commands, once `do` has made them. */
   get parts(): readonly Command[] {
     return this.commands ?? [];

@@ -29,13 +29,13 @@ it('builds prefabs that a file can have: known components, allowed values, and t
     const instance = instantiatePrefab(prefab, scene.registry);
     scene.add(instance);
     const { fields, structural } = overridesOf(instance);
-    // scripts do not run here: an object that a component kept as data names is not looked up
+    // scripts do not run here: references in their components, kept as data, are not checked
     const paths = fields.filter(({ component }) => !(component instanceof UnknownComponent)).map(({ path }) => path);
     expect([paths, structural], id).toEqual([[], []]);
     const file = serialize(scene);
     const read = parseFile(JSON.parse(JSON.stringify(file)), { registry: scene.registry, assets: scene.assets });
     expect(read.prefabs?.[0].objects, id).toEqual(prefab.objects);
-    // what an asset holds besides its defaults is compared when another copy comes
+    // values of an asset are compared without defaults when another copy is added
     for (const { name, values } of assets) expect(scene.assets.fieldAsset(name)!.changedValues(), name).toEqual(values);
     for (const light of scene.componentsOf(Light)) expect(light.intensity, id).toBeGreaterThan(0);
     scene.dispose();

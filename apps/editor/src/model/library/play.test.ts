@@ -36,7 +36,7 @@ async function sceneOf(...ids: string[]): Promise<{ scene: Scene; items: GameObj
     modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
     compile: compileScript,
     run: ({ name, code }) => {
-      // oxlint-disable-next-line no-eval -- stands for the script element that runs the code in a page
+      // oxlint-disable-next-line no-eval -- runs code as a page's script element does
       (0, eval)(code);
       return takeGiven(name);
     },
@@ -66,7 +66,7 @@ test('a door opens when the player comes near, closes behind, and is shut after 
   walk.walk([0, 0, -1]);
   run(scene, 2.5);
   expect(hinge.object3D.rotation.y).toBeGreaterThan(1);
-  // through the open door, and away
+  // the player walks through the open door, and away
   run(scene, 2.5);
   expect(player.object3D.position.z).toBeLessThan(-4);
   expect(hinge.object3D.rotation.y).toBeLessThan(0.05);
@@ -90,7 +90,7 @@ test('a lamp flickers below its authored brightness, another follows the player,
   run(scene, 3);
   expect(8 - follow.object3D.position.x).toBeCloseTo(1.5, 1);
   expect(follow.object3D.position.y).toBeCloseTo(1.8, 1);
-  // past its first point, on the way to the second
+  // past the first point of its path
   expect(guard.object3D.position.x).toBeCloseTo(2, 1);
   expect(Math.abs(guard.object3D.position.z)).toBeLessThan(1.9);
   scene.reset();

@@ -11,7 +11,7 @@ export const scriptsInNode = (): DocumentScripts =>
     compile: compileScript,
     run({ name, code }) {
       try {
-        // oxlint-disable-next-line no-eval -- stands for the script element that runs the code in a page
+        // oxlint-disable-next-line no-eval -- runs code as a page's script element does
         (0, eval)(code);
       } catch (error) {
         throw new ScriptError(name, (error as Error).message);

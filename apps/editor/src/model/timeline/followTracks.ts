@@ -8,7 +8,7 @@ import {
   pathBelow,
   type Scene,
 } from '@farol/engine';
-import { CommandList } from '../commands/CommandList';
+import { Sequence } from '../commands/Sequence';
 import { clipDataOf, noteClipData, trackId, writeClip } from './clipDataOf';
 import { playedClip } from './clipPlayer';
 
@@ -81,52 +81,24 @@ export function retypeTracks(label: string, { assets }: Scene, from: string, to:
   });
 }
 
-/** A command together with the edits of tracks that it entails, as one step. */
-class FollowTracks implements Command {
-  private follow: Command | null = null;
-
-  constructor(
-    private readonly scene: Scene,
-    private readonly command: Command,
-  ) {}
-
-  get label(): string {
-    return this.command.label;
-  }
-
-  get isEmpty(): boolean {
-    return this.command.isEmpty ?? false;
-  }
-
-  get selection(): Command['selection'] {
-    return this.command.selection;
-  }
-
-  do(): void {
-    if (this.follow) {
-      this.command.do();
-      return this.follow.do();
-    }
-    const before = trackObjects(this.scene);
-    this.command.do();
-    this.follow = new CommandList(this.label, edits(this.label, before));
-    this.follow.do();
-  }
-
-  undo(): void {
-    this.follow?.undo();
-    this.command.undo();
-  }
-
-  forget(isDone: boolean): void {
-    this.command.forget?.(isDone);
-  }
-}
-
 /**
  * Wraps a command that renames or moves objects, so that, in the same step, tracks of the scene's clips are changed to
  * animate the same objects afterwards. A track is unchanged when no path can do so: the object is no longer below the
  * one that plays the clip, or another player of the clip would lose its object.
  */
-export const followTracks = (scene: Scene, command: Command): Command =>
-  scene.componentsOf('Animation').length === 0 ? command : new FollowTracks(scene, command);
+export function followTracks(scene: Scene, command: Command): Command {
+  if (command.isEmpty || scene.componentsOf('Animation').length === 0) return command;
+  const { label } = command;
+  let before: TrackObjects = new Map();
+  return new Sequence(
+    label,
+    [
+      () => {
+        before = trackObjects(scene);
+        return command;
+      },
+      () => Sequence.of(label, edits(label, before)),
+    ],
+    command.selection,
+  );
+}

@@ -1,7 +1,7 @@
 import { type Command, currentOf, labelOfField, SetFields, t, tCount } from '@farol/editing';
 import type { ClipAsset, ClipData, Component, GameObject } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { CommandList } from '../commands/CommandList';
+import { Sequence } from '../commands/Sequence';
 import { clipName, setClip } from './clipEdits';
 import { findTrack, type TrackAddress } from './clipTracks';
 import { setKey } from './editKeys';
@@ -56,7 +56,7 @@ export function recordEdit(command: Command, recording: Recording): Command {
   if (values.length === 0) return command;
   const next = withKeys(data, values, time);
   const edit = setClip(labelOf(command, values.length, clip), clip, next, duration);
-  return others.length === 0 ? edit : new CommandList(edit.label, [edit, new SetFields(command.label, others)]);
+  return others.length === 0 ? edit : Sequence.of(edit.label, [edit, new SetFields(command.label, others)]);
 }
 
 function labelOf({ edits }: SetFields, count: number, clip: ClipAsset): string {

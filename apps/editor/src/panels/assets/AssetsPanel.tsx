@@ -104,7 +104,7 @@ export function AssetsPanel(): ReactNode {
   const pressed = useRef<Pressed>({ entry: null, folder: null });
   // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision changes with the library and the prefabs
   const all = useMemo(() => assetEntries(document.scene), [document, document.scene, revision]);
-  // oxlint-disable-next-line react-hooks/exhaustive-deps -- as above
+  // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision changes with both
   const folders = useMemo(() => foldersOf(document.scene), [document.scene, revision]);
   // when the shown folder was removed, the top folder is shown
   const folder = folders.includes(wanted) ? wanted : '';

@@ -112,7 +112,7 @@ export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonl
       await document.assets.load(name);
       useAsEnvironment(editor, name);
     });
-    const help = t('Lights every surface, and is seen behind.');
+    const help = t('Lights all surfaces, and is the background.');
     entries.push({ label: t('Use as environment'), icon: 'world', help, run });
   }
   if (kind === 'material') entries.push(...materialEntries(editor, entry));
@@ -134,7 +134,7 @@ export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonl
     entries.push({ label: t('Place unpacked'), icon: 'tree', help, run });
   }
   if (kind === 'prefab') {
-    const help = t('Keeps it with all that it uses, for every scene of this browser.');
+    const help = t('Stores it with all that it uses, for every scene in this browser.');
     const run = attempt(async () => (await import('../../files/library/ownLibrary')).keepInLibrary(editor, name));
     entries.push({ label: t('Put into the library'), icon: 'lamp', help, run });
   }

@@ -45,7 +45,7 @@ export function BakePanel(): ReactNode {
           <Section
             id="Light probes"
             title={t('Light probes')}
-            help={t('They bring baked light to what is not static.')}
+            help={t('They give baked light to objects that are not static.')}
             icon="ranges"
           >
             <FieldList owners={owners} names={probes} />

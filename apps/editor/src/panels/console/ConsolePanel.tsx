@@ -77,7 +77,7 @@ export function ConsolePanel(): ReactNode {
           {log.entries.length === 0 ? t('No messages yet.') : t('No message matches the filter.')}
         </p>
       ) : (
-        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling list
+        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a scrolling list must be reachable by keyboard
         <ul className="console" ref={list} tabIndex={0} aria-label={t('Messages')}>
           {shown.map((entry) => (
             <ConsoleLine key={entry.id} entry={entry} />

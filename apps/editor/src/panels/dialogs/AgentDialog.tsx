@@ -53,7 +53,7 @@ export function AgentDialog({ onClose }: { onClose(): void }): ReactNode {
       <p>{t('A bar is shown while agents may edit. Its button ends that, as does closing or reloading this tab.')}</p>
       {isServed ? (
         <>
-          {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling text */}
+          {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a scrolling text must be reachable by keyboard */}
           <pre className="agent-setting" tabIndex={0} aria-label={t('Setting of the MCP client')}>
             {setting}
           </pre>

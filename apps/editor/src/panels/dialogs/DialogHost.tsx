@@ -105,7 +105,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       <Dialog.Title>{readableText(request.title)}</Dialog.Title>
       <Dialog.Description>{readableText(request.text)}</Dialog.Description>
       {request.kind === 'problems' && (
-        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling list
+        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a scrolling list must be reachable by keyboard
         <ul
           className="problems"
           tabIndex={0}

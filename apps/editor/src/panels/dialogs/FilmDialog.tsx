@@ -62,10 +62,10 @@ function shotOptions({ document: { scene } }: EditorApi): SelectOption<ShotName>
   const cameras = scene.componentsOf(Camera);
   const options: SelectOption<ShotName>[] = [{ value: 'shown', label: t('The view as shown') }];
   if (scene.activeCamera)
-    options.push({ value: 'active', label: t('The scene’s camera'), help: t('Also where a script chooses another.') });
+    options.push({ value: 'active', label: t('The scene’s camera'), help: t('Follows scripts that switch cameras.') });
   if (keptViews(scene).length > 1)
     options.push({ value: 'path', label: t('Through the stored views'), help: t('A smooth path in their order.') });
-  const help = t('Around the selection, or the scene, from the view as shown.');
+  const help = t('Around the selection or the scene, from the current view.');
   options.push({ value: 'turntable', label: t('Turntable'), help });
   if (cameras.length > 1) for (const { id, gameObject } of cameras) options.push({ value: id, label: gameObject.name });
   return options;

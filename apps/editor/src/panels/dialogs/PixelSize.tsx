@@ -3,7 +3,6 @@ import { type ReactNode, useState } from 'react';
 import { Button } from '../../ui/Button';
 import { NumberInput, type NumberInputProps } from '../../ui/NumberInput';
 
-/** Width and height (pixels). */
 export type Size = readonly [number, number];
 
 type NumberRowProps = Pick<NumberInputProps, 'label' | 'min' | 'max' | 'step' | 'unit' | 'disabled'> & {

@@ -69,7 +69,7 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
         <Toggle
           value={wipe.showsDifference}
           label={t('Show the difference')}
-          description={t('The difference of the two, channel by channel as it is seen, made larger.')}
+          description={t('The difference of both pictures in each colour channel, amplified.')}
           onChange={(shows) => (wipe.showsDifference = shows)}
         />
       </div>

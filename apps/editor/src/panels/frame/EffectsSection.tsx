@@ -30,7 +30,7 @@ export function EffectsSection(): ReactNode {
     <Section
       id="Frame effects"
       title={t('Effects')}
-      help={t('What takes part in the picture beside the technique.')}
+      help={t('Parts of the picture besides the technique.')}
       icon="contrast"
     >
       <FieldList owners={owners} names={shown} />

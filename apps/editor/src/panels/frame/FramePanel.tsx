@@ -26,7 +26,7 @@ export function FramePanel(): ReactNode {
         <Section
           id="Frame"
           title={t('Technique')}
-          help={t('What the picture is drawn by, and what of it is shown.')}
+          help={t('The technique that draws the picture, and the view of it.')}
           icon="lamp"
         >
           <div className="field">

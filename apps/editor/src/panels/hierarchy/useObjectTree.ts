@@ -208,7 +208,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     show();
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- once for each selection, after its parents were unfolded
   }, [tree, primary, expandedItems]);
-  // oxlint-disable-next-line react-hooks/exhaustive-deps, react/exhaustive-effect-dependencies -- rows may have come
+  // oxlint-disable-next-line react-hooks/exhaustive-deps, react/exhaustive-effect-dependencies -- rows may have been rendered
   useEffect(show, [rows]);
 
   useRowFocus(tree);

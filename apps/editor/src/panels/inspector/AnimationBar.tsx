@@ -33,7 +33,7 @@ export function AnimationBar({ components }: { components: readonly Component[] 
         label={t('Make editable copy')}
         disabled={problem !== null}
         title={
-          problem ?? t('Makes a clip of your own of the clip of the model, for the objects that it is unpacked into')
+          problem ?? t('Copies the clip as one that can be edited, for the objects that the model is unpacked into')
         }
         onClick={() => editor.attempt(copy)}
       />

@@ -21,7 +21,7 @@ export function ModelBar({ components }: { components: readonly Component[] }): 
   if (model === null || !renderers.every((each) => each.model !== null && assets.isReady('model', each.model)))
     return null;
   const problem = renderers.map((each) => whyNotUnpack(assets, each.model!, each.parts)).find((each) => each !== null);
-  const help = t('Makes a tree of it: meshes, lights and cameras as objects, materials as assets');
+  const help = t('Turns the model into a tree: meshes, lights and cameras as objects, materials as assets');
   return (
     <div className="material-bar">
       <Button

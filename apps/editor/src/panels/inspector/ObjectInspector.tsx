@@ -124,7 +124,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
           <Toggle
             value={mixed ? null : first.active}
             label={t('Active')}
-            description={t('Whether the object and all below it are there: shown, lit, moving.')}
+            description={t('Whether the object and all below it are active: shown, lit, moving.')}
             onChange={(active) => commands.run(setActive(objects, active))}
           />
         </div>

@@ -66,7 +66,7 @@ const sections = () =>
     {
       id: 'Sky',
       title: t('Sky'),
-      help: t('What is seen behind the objects, and lights them.'),
+      help: t('The background, and the light from it.'),
       icon: 'world',
       names: sky,
     },
@@ -82,7 +82,7 @@ const sections = () =>
     {
       id: 'Picture effects',
       title: t('Picture effects'),
-      help: t('What is done to the finished picture.'),
+      help: t('Effects on the finished picture.'),
       icon: 'contrast',
       names: effects,
     },

@@ -32,7 +32,7 @@ export function SceneInspector(): ReactNode {
         />
       </div>
       <p className="scene-note">{t('Nothing is selected: these are the settings of the whole scene.')}</p>
-      <Section id="Scene" title={t('Scene')} help={t('What belongs to the scene as a whole.')} icon="scene">
+      <Section id="Scene" title={t('Scene')} help={t('Settings of the whole scene.')} icon="scene">
         {cameras.length > 0 && (
           <div className="field" data-help={t('The camera that the finished scene is seen with.')}>
             <span className="field-label">{t('Camera')}</span>

@@ -26,14 +26,14 @@ it('an edit of one field of many owners has that field read again, and no other'
   document.commands.undo();
   expect(reads()).toEqual([4, true, 10]);
 
-  // out of the scene nothing is told
+  // an object out of the scene emits no signals
   const { gameObject } = lights[3];
   document.scene.remove(gameObject);
   lights[3].set('castShadow', false);
   document.scene.add(gameObject);
   expect(reads()).toEqual([4, null, 20]);
 
-  // values of a clip that is recorded change with its time
+  // values of a recorded clip depend on the time
   let seen = 7;
   document.commands.recorder = { valueOf: () => seen, begin: () => (command) => command, interrupt() {} };
   expect(reads()).toEqual([7, 7, 20]);

@@ -13,7 +13,7 @@ export function TagsField({ objects }: { objects: readonly GameObject[] }): Reac
   const { commands } = useEditor();
   const [first] = objects;
   const isFound = useIsFound(t('Tags'), 'tags');
-  const help = t('Words by which scripts and triggers know the object, with commas between them.');
+  const help = t('Words by which scripts and triggers find the object, separated by commas.');
   const commit = (text: string): void => {
     const words = text.split(',').map((word) => word.trim());
     const tags = [...new Set(words.filter((word) => word !== ''))];

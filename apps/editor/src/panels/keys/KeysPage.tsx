@@ -42,7 +42,7 @@ export function KeysPage({ onClose }: { onClose(): void }): ReactNode {
         </div>
         <Button label={t('Reset all')} disabled={Object.keys(chosen).length === 0} onClick={() => bindings.reset()} />
       </div>
-      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys */}
+      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a scrolling list must be reachable by keyboard */}
       <div className="keys" tabIndex={0} role="region" aria-label={t('All keys')}>
         {groups.map((group) => (
           <section key={group} aria-label={group}>

@@ -8,7 +8,10 @@ export const otherKeys = (): [string, string][] => [
   [t('Right button'), t('Click: a menu; drag: look around; with W A S D Q E: fly, Shift: faster')],
   [t('Left button in Select, or with Ctrl'), t('Drag: select what is in the box; with Ctrl: more of it')],
   [t('Ctrl while dragging a handle'), t('Snap')],
-  [t('X, Y, Z while dragging a handle'), t('Along that axis alone; with Shift along the other two; again: as before')],
+  [
+    t('X, Y, Z while dragging a handle'),
+    t('Only along that axis; with Shift along the other two; again: in all directions'),
+  ],
   [t('Numbers while dragging a handle'), t('Set the amount; Tab: the next axis; Enter: keep it; Escape: put it back')],
   [t('Fingers'), t('Tap: select; one: orbit; two: pan, nearer and farther; a long press: a menu')],
   [t('Arrow keys in the picture'), t('Orbit; with Shift: pan; + and -: nearer and farther')],

@@ -24,7 +24,7 @@ export function UsedBy({ name }: { name: string }): ReactNode {
   }, [scene, name, step]);
   const objects = [...new Set(usages.flatMap(({ object }) => object ?? []))];
   return (
-    <Section id="Used by" title={t('Used by')} help={t('What uses this asset.')} icon="tree">
+    <Section id="Used by" title={t('Used by')} help={t('Objects and assets that use this asset.')} icon="tree">
       {usages.length === 0 && <p className="asset-note">{t('Nothing in the scene uses it.')}</p>}
       {objects.length > 0 && (
         <Button

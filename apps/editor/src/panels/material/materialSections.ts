@@ -27,7 +27,7 @@ export const materialSections: readonly MaterialSection[] = [
   {
     id: 'Worn surface',
     title: () => t('Surface effect'),
-    help: () => t('GLSL of the library that changes its look and its shape, and the values that it asks for.'),
+    help: () => t('GLSL of the library that changes colour and shape, and its uniforms.'),
     fields: ['surface', 'surfaceValues', ...surfaceMaps],
   },
   {
@@ -48,7 +48,7 @@ export const materialSections: readonly MaterialSection[] = [
   {
     id: 'Opacity',
     title: () => t('Opacity'),
-    help: () => t('What can be seen through it, and which sides are drawn.'),
+    help: () => t('Transparency, and which sides are drawn.'),
     isFoldedAtFirst: true,
     fields: ['transparent', 'opacity', 'alphaMap', 'alphaTest', 'depthWrite', 'doubleSided', 'side', 'wireframe'],
     forward: 'transparent',

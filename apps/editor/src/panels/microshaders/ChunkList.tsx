@@ -50,7 +50,7 @@ export function ChunkList({ names, surfaces, current, uses, onChoose }: ChunkLis
         <NewChunk onMade={onChoose} />
         <XMLMenu />
       </div>
-      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- a list that is chosen from */}
+      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- a list of options */}
       <ul ref={list} role="listbox" aria-label={t('Microshaders')} tabIndex={0} onKeyDown={keyDown}>
         {found.map((name) => {
           const surface = name.startsWith(SURFACE) ? name.slice(SURFACE.length) : null;

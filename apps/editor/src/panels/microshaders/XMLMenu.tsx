@@ -59,7 +59,7 @@ export function XMLMenu(): ReactNode {
         { label: t('Import the Phong lights of 2015'), icon: 'open', run: () => editor.attempt(thesis) },
         {
           label: t('Export XML…'),
-          help: t('Those of the scene; all, when it has none.'),
+          help: t('The microshaders of the scene; all, when it has none.'),
           icon: 'save',
           run: () => editor.attempt(save),
         },

@@ -24,7 +24,7 @@ it('finds fields of the scene, and shows one in the inspector in place of the se
   expect(editor.document.selection.ids).toEqual([]);
   expect(fieldSearchOf(editor).text).toBe('Tone mapping');
   expect(opened).toEqual(['inspector']);
-  // another selection has no such field; what the user types stays over selections, up to another scene
+  // the search is cleared with the selection when it is for a field of that; typed text is kept until another scene
   editor.document.selection.set([object.id]);
   expect(fieldSearchOf(editor).text).toBe('');
   fieldSearchOf(editor).find('position');

@@ -48,7 +48,7 @@ export function PlayChanges(): ReactNode {
       </ul>
       {others.length > 0 && (
         <p>
-          {t('Only with all others:')} {others.slice(0, 4).join(', ')}
+          {t('Kept only with all edits:')} {others.slice(0, 4).join(', ')}
           {others.length > 4 && t(' and {count} more', { count: others.length - 4 })}
         </p>
       )}

@@ -38,7 +38,7 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
         entries={() => [
           {
             label: t('Apply all to prefab'),
-            help: none ? t('Nothing differs.') : list.slice(0, 6).join(', '),
+            help: none ? t('It has no overrides.') : list.slice(0, 6).join(', '),
             icon: 'check',
             disabled: none,
             run: run(applyInstance),
@@ -58,7 +58,7 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
               ]),
           {
             label: t('Unpack'),
-            help: t('Makes it an object of its own, which follows no prefab.'),
+            help: t('Turns it into plain objects without a prefab.'),
             icon: 'object',
             run: run(unpackInstance),
           },

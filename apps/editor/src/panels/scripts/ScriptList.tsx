@@ -76,7 +76,7 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
           entries={() => (current === null ? [] : scriptMenu(editor, current, () => setRenamed(current)))}
         />
       </div>
-      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- a list that is chosen from */}
+      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-element-to-interactive-role -- a list of options */}
       <ul ref={list} role="listbox" aria-label={t('Scripts')} tabIndex={0} onKeyDown={keyDown}>
         {found.map((name) => {
           const { folder, leaf } = splitName(name);

@@ -26,7 +26,7 @@ export function EventFields({ view }: { view: TimelineView }): ReactNode {
         <TextInput
           value={event.method}
           label={t('Method')}
-          description={t('Called on every component of the object, and of all below it, that has it.')}
+          description={t('Called on every component that has it, of the object and of all below it.')}
           onCommit={(method) => method.trim() !== '' && change({ method: method.trim() })}
         />
       </div>
@@ -34,7 +34,7 @@ export function EventFields({ view }: { view: TimelineView }): ReactNode {
         <TextInput
           value={eventValueText(event.value)}
           label={t('Value')}
-          description={t('Handed to the method: a number, yes or no, or text; nothing when empty.')}
+          description={t('Argument of the method: a number, yes or no, or text; none when empty.')}
           onCommit={(text) => change({ value: readEventValue(text) })}
         />
       </div>

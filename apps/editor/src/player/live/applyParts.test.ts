@@ -11,7 +11,7 @@ import { randomScene } from '../../model/testing/randomScene';
 import { scriptsInNode } from '../../model/testing/scriptsInNode';
 import { applyParts } from './applyParts';
 
-/** Scene as the text of a file, without what no picture shows. */
+/** Text of a scene's file, without parts that do not affect the picture. */
 function textOf(scene: Scene): string {
   const { views: _views, assetFolders: _folders, ...file } = serialize(scene);
   return JSON.stringify(file);
@@ -62,7 +62,7 @@ it.each([1, 2, 3])('a scene that is given the parts of random edits becomes the 
     }
     if (random() < 0.2) document.commands.undo();
     else document.commands.run(randomCommand(random, document));
-    // random bakes and imported textures are in memory alone, and in no file
+    // random bakes and imported textures exist only in memory, not in files
     const { bakedLight, lut } = document.scene.settings.changedValues();
     if (bakedLight || String(lut).startsWith('imported')) document.commands.undo();
     if (document.scripts.isCompiling) await document.scripts.settled();

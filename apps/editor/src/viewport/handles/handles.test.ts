@@ -122,7 +122,7 @@ describe('DragSnap', () => {
 
   it('takes no vertex that is hidden behind what the pointer is on', () => {
     const { snap, pivot } = drag();
-    // the wall's corners at x = 4 are straight behind those at x = 3
+    // the wall's corners at x = 4 are directly behind those at x = 3
     const vertex = snap.toVertex(pivot, aim([-5, 4.99, 4.99], [3, 4.99, 4.99]), camera, free);
     expect(vertex!.distanceTo(new Vector3(3, 5, 5))).toBeLessThan(1e-6);
   });

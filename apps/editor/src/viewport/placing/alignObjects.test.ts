@@ -76,7 +76,7 @@ describe('dropToGround', () => {
     const scene = new Scene();
     box(scene, [0, 0.5, 0], [4, 1, 4]);
     const above = box(scene, [1, 8, 1]);
-    // only its edge is over the table
+    // only the edge of this box is over the table
     const edge = box(scene, [2.3, 8, 0]);
     const under = box(scene, [30, -4, 0]);
     const light = new GameObject('Light');

@@ -83,7 +83,7 @@ describe('land', () => {
     boxes.forEach((box, i) => {
       expect(box.min.y).toBeCloseTo(0, 4);
       expect(boxes.slice(0, i).some((other) => share(box, other))).toBe(false);
-      // all close to the first: a few boxes to either side
+      // all are close to the first one: a few box widths to either side
       expect(box.getCenter(new Vector3()).distanceTo(boxes[0].getCenter(new Vector3()))).toBeLessThan(6);
     });
     expect(boxes[1].min.x).toBeGreaterThan(boxes[0].max.x);

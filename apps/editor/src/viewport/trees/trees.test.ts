@@ -119,7 +119,7 @@ describe('a tree of triangles', () => {
       castMesh(mesh, raycaster, hits);
       return Math.min(...hits.map(({ distance }) => distance));
     };
-    // three does the work until the tree is built
+    // three tests the triangles until the tree is built
     expect(castByTree(mesh, raycaster, [])).toBe(false);
     const before = nearest();
     await treeReady(geometry);

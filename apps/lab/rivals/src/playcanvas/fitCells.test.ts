@@ -10,7 +10,7 @@ function randomBoxes(count: number, side: number): Float32Array {
   return lightBoxes({ points, spots: [] });
 }
 
-/** Number of lights of each cell, by PlayCanvas's rule, of a grid over the lights' bounds. */
+/** Number of lights in the fullest cell, by PlayCanvas's rule, of a grid over the lights' bounds. */
 function fullest(boxes: Float32Array, size: readonly number[]): number {
   const bound = (k: number, pick: (...values: number[]) => number): number =>
     pick(...Array.from({ length: boxes.length / 6 }, (_, i) => boxes[i * 6 + k]));

@@ -3,7 +3,7 @@ import { describe, expect, test, vi } from 'vitest';
 import type { RivalMaterial, RivalScene } from '../../../src/competitors/rivals/RivalScene';
 import { encode, Materials } from './makeMaterials';
 
-// PlayCanvas is installed on demand: its names here, with materials that only keep what they are given
+// PlayCanvas is installed on demand: a stub with its names, whose materials store what is assigned
 vi.mock('playcanvas', () => {
   const constants = [
     ...['ADDRESS_REPEAT', 'ADDRESS_MIRRORED_REPEAT', 'ADDRESS_CLAMP_TO_EDGE', 'BLEND_NORMAL', 'CULLFACE_BACK'],

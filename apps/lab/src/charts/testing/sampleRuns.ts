@@ -33,7 +33,7 @@ export function sampleRun(options: SampleOptions = {}): LabRun {
   };
 }
 
-/** Rows of a case: the later a competitor is in the list, the more its frame costs and the less each light. */
+/** Rows of a case. Competitors later in the list cost more per frame and less per light. */
 function rowsOf(series: string, index: number, labCase: LabCase, competitors: readonly string[]): LabRow[] {
   const megapixels = (labCase.width * labCase.height) / 1e6;
   const rows = competitors.map((competitor, i) => {

@@ -6,7 +6,7 @@ import type { RivalDrawing, RivalModule, RivalPoints, RivalScene } from './Rival
 
 const none = async () => ({ versions: {}, canInstall: false });
 
-/** An engine that notes what it is told. */
+/** An engine that records its calls. */
 function notingEngine() {
   const said: string[] = [];
   let scene: RivalScene | null = null;

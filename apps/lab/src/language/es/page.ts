@@ -91,7 +91,7 @@ export const page: Texts = {
   '{count} lights left out': '{count} luces omitidas',
   'the reference': 'la referencia',
   'equal to the reference': 'igual a la referencia',
-  'The first figures come in some seconds.': 'Las primeras cifras llegan en unos segundos.',
+  'The first figures arrive within seconds.': 'Las primeras cifras llegan en unos segundos.',
   'Nothing was measured.': 'No se midió nada.',
   'What each one drew': 'Lo que dibujó cada uno',
   'All measurements': 'Todas las medidas',
@@ -306,6 +306,12 @@ export const page: Texts = {
     'La más rápida, o igual de rápida, en {wins} de {cases} casos.',
   'With up to {few} lights: {first}; with {many} or more: {second}.':
     'Con hasta {few} luces: {first}; con {many} o más: {second}.',
+  'The file is not JSON ({why}): choose a run that the Lab exported as JSON.':
+    'El archivo no es JSON ({why}): elige una medición que el Lab exportó como JSON.',
+  'This is not a run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").':
+    'No es una medición del Lab: elige un archivo que el Lab exportó como JSON ("format": "farol-lab-run").',
+  'A software rasteriser draws here, on the processor: its figures say little about graphics cards.':
+    'Aquí dibuja un rasterizador por software, con el procesador: sus cifras dicen poco de las tarjetas gráficas.',
   'a tie: within the spread': 'empate: dentro de la dispersión',
   'To compare two runs, check the boxes before them.': 'Para comparar dos mediciones, se marcan sus casillas.',
   'What auto learnt on this device': 'Lo que auto aprendió en este dispositivo',
@@ -313,7 +319,7 @@ export const page: Texts = {
     'La técnica «auto» elige otra con reglas sacadas de una sola GPU. Aquí mide aquellas entre las que duda y guarda en este navegador cuál es más rápida: las páginas de esta dirección con la opción «learning» se guían por eso.',
   'Let auto learn': 'Dejar que auto aprenda',
   'Forget all of it': 'Olvidarlo todo',
-  'Nothing can be learnt here: there is no timer of the GPU.':
+  'Nothing can be learnt here: the device has no GPU timer.':
     'Aquí no se puede aprender nada: no hay temporizador de la GPU.',
   'Nothing yet.': 'Nada todavía.',
   '{count} verdict.': '{count} veredicto.',

@@ -38,7 +38,7 @@ export function Results({ run, isReference, isRunning, title, actions }: Results
       {run.rows.length > 0 ? (
         <RunCharts key={run.id} runs={runs} />
       ) : (
-        <p class="dim">{isRunning ? t('The first figures come in some seconds.') : t('Nothing was measured.')}</p>
+        <p class="dim">{isRunning ? t('The first figures arrive within seconds.') : t('Nothing was measured.')}</p>
       )}
       {!isRunning && (
         <>

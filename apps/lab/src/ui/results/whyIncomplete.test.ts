@@ -11,7 +11,7 @@ test('a run that was cancelled before its first figure is told apart', () => {
   const row = { ...testRow('auto', 'planes-lights', 0, 1), frame: null, problem: 'Cancelled.' };
   expect(isEmptyRun({ ...run, rows: [row] })).toBe(true);
   expect(isEmptyRun({ ...run, rows: [...run.rows, row] })).toBe(false);
-  // a competitor that cannot draw here is no figure either
+  // a row of a competitor that cannot draw here does not count as a figure
   const none = { ...row, competitor: 'three-webgpu', problem: 'No WebGPU.' };
   expect(whyIncomplete({ ...run, rows: [none, row] })).toMatch(/cancelled before anything was measured/);
   expect(isEmptyRun({ ...run, rows: [{ ...row, problem: 'Not measured: the time is over.' }] })).toBe(false);

@@ -5,7 +5,7 @@ import type { LabRow, LabRun, Spread } from '../../results/LabRun';
 /** A time without spread. */
 export const exactly = (median: number): Spread => ({ median, low: median, high: median, samples: 9 });
 
-/** A row with a frame time alone, or with a problem; for tests. */
+/** A row with only a frame time, or with a problem; for tests. */
 export function madeUpRow(competitor: string, index: number, time: number | Spread | string | null): LabRow {
   return {
     ...{ competitor, series: 'made-up', index },

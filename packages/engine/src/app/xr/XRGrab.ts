@@ -66,7 +66,7 @@ export class XRGrab {
     matrix.decompose(object3D.position, object3D.quaternion, scale);
   }
 
-  /** The Grabbable that is nearest to the hand within its reach, else the one that its ray meets first. */
+  /** The Grabbable nearest to the hand within its reach, else the first one that its ray hits. */
   private find(scene: Scene): GameObject | null {
     this.hand.grip.getWorldPosition(hand);
     let nearest = Infinity;

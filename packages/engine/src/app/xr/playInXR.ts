@@ -14,7 +14,7 @@ export type XRMode = 'immersive-vr' | 'immersive-ar';
 export interface XRStage {
   readonly picture: PictureRenderer;
   readonly scene: Scene;
-  /** Camera at whose place the session begins, where the scene has no XRRig. */
+  /** Camera whose pose the session starts from, in scenes without an XRRig. */
   readonly camera: Camera;
   /** Advances the scene. @param seconds - since the last frame, 0.1 at most */
   advance(seconds: number): unknown;
@@ -24,7 +24,7 @@ export interface XRStage {
   resume(): unknown;
 }
 
-/** Height of the eyes over the floor where a scene has no XRRig (m). */
+/** Height (m) of the eyes above the floor, in scenes without an XRRig. */
 const EYES = 1.6;
 const LONGEST_STEP = 0.1;
 /** Walk settings of scenes without an XRRig (m/s, rad). */
@@ -41,7 +41,7 @@ export async function xrModes(): Promise<XRMode[]> {
 }
 
 /**
- * Shows a scene in a headset until the session ends. The XRRig of the scene is the floor, else the place of the camera; the
+ * Shows a scene in a headset until the session ends. The floor is the scene's XRRig, or else lies below the camera; the
  * hands walk, turn, teleport and hold Grabbables. Call it from a click.
  * @returns the session, once it presents
  * @throws Error (as a rejection) where the user or the device refuses

@@ -5,7 +5,7 @@ export interface LightmapData {
   /** Size of the lightmap (texels). */
   readonly width: number;
   readonly height: number;
-  /** Half floats, RGBA, the row of v = 0 first: irradiance, linear, as three's `lightMap` has it. */
+  /** Half floats, RGBA, the row of v = 0 first: linear irradiance in the convention of three's `lightMap`. */
   readonly data: Uint16Array<ArrayBuffer>;
 }
 

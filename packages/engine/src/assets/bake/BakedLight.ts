@@ -1,7 +1,7 @@
 import type { BakeData } from './BakeData';
 
 /**
- * An asset of type 'bake': light of a scene that was baked. `scene.settings.bakedLight` names the one that lights a scene.
+ * An asset of type 'bake': the baked light of a scene. `scene.settings.bakedLight` names the asset that a scene uses.
  */
 export class BakedLight {
   readonly isBakedLight = true;

@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
 import type { BakedLight } from '../../assets/bake/BakedLight';
-import { bakeCode, loadBakeCode } from './bakeCode';
+import { bakeCode } from './bakeCode';
 import type { Scene } from '../Scene';
 import type { ShownBake } from './ShownBake';
 
@@ -36,7 +36,7 @@ export class SceneBake {
     if (light === this.light) return;
     this.dispose();
     this.light = light;
-    this.appliedBake = light && new (bakeCode()!)(this.scene, light.data);
+    this.appliedBake = light && new bakeCode.code!.ShownBake(this.scene, light.data);
     for (const type of TYPES) for (const component of this.scene.componentsOf(type)) component.onActiveChanged();
   }
 
@@ -46,10 +46,7 @@ export class SceneBake {
     const name = this.suspensions > 0 ? null : settings.bakedLight;
     if (name === null) return null;
     const again = (): void => void (this.light === null && settings.bakedLight === name && this.update());
-    if (bakeCode() === null) {
-      loadBakeCode().then(again, (error: Error) => console.error(`Farol: ${error.message}`));
-      return null;
-    }
+    if (bakeCode.codeOr(again) === null) return null;
     if (assets.isReady('bake', name)) return assets.bake(name);
     assets.whenReady('bake', name, again);
     return null;

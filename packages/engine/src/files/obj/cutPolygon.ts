@@ -2,7 +2,7 @@ import { ShapeUtils, Vector2 } from 'three';
 
 /** Triangles of a polygon. */
 export interface CutPolygon {
-  /** Three indices of corners for each triangle. */
+  /** Corner indices, three per triangle. */
   readonly triangles: readonly number[];
   /** Whether a concave polygon was cut as if convex. */
   readonly isCoarse: boolean;

@@ -43,7 +43,7 @@ export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): 
   };
 }
 
-/** Values of an attribute as numbers, of any component type. */
+/** Values of an attribute of any component type as floats. */
 function* valuesOf(attribute: BufferAttribute | InterleavedBufferAttribute, size: number): Steps<Float32Array> {
   const values = new Float32Array(attribute.count * size);
   yield* inSteps(attribute.count, (from, to) => {

@@ -11,8 +11,8 @@ const linear = ([r, g, b]: Triple): [number, number, number] => {
 };
 
 /**
- * Roughness (0 to 1) of a surface with a highlight of Phong's: α² = 2 / (Ns + 2) makes the microfacets of GGX as wide, and
- * α is roughness². A weaker Ks makes it rougher, down to 1 where there is no highlight.
+ * Roughness (0 to 1) of a surface with a Phong highlight: α² = 2 / (Ns + 2) gives GGX a highlight of the same width,
+ * and α is roughness². A weaker Ks makes it rougher, down to 1 where there is no highlight.
  * @param shininess - Ns
  * @param strength - the largest channel of Ks
  * @see Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, 5.2
@@ -28,15 +28,16 @@ export interface GltfNotes {
 }
 
 /**
- * A material of an MTL file as one of glTF, which becomes a MeshStandardMaterial, so that every technique lights it:
+ * Converts a material of an MTL file to glTF, for a MeshStandardMaterial, which every technique supports:
  *
  * - `Kd` and `map_Kd` (or `map_Ka` alone): colour; a black Kd under a map counts as white
  * - `Ks`, `Ns`: roughness, see `roughnessOf`; `map_Ks`: its brightness is the strength of the highlight, as roughness.
  *   `Pr` and `Pm` are taken as they are; without `Pm` nothing is a metal
  * - `Ke`, `map_Ke`: emission
- * - `d`, or `Tr` = 1 − d: opacity, where that leaves anything to be seen; `map_d`: opacity, cut out at a half where it is nearly everywhere 0 or 1, else blended
- * - `norm`: map of normals; `bump`, `map_bump`: likewise where the picture holds normals, else the heights become normals;
- *   `disp`: only where it holds normals
+ * - `d`, or `Tr` = 1 − d: opacity, where that leaves anything to be seen; `map_d`: opacity, cut out at a half where it
+ *   is nearly everywhere 0 or 1, else blended
+ * - `norm`: map of normals; `bump`, `map_bump`: likewise where the picture holds normals, else the heights become
+ *   normals; `disp`: only where it holds normals
  * - `-s`, `-o`, `-clamp`, `-bm` of textures
  * - see-through and cut-out surfaces have two sides, others one
  *

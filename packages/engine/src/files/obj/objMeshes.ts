@@ -67,7 +67,7 @@ async function completeNormals({ positions, normals, corners }: ObjFile, signal?
   return all;
 }
 
-/** Normalises normals; corners with a normal of length 0 lose it. */
+/** Normalises normals; a corner whose normal has length 0 loses it. */
 function* unitNormals(normals: Float32Array, corners: Int32Array): Steps<Float32Array> {
   const unit = new Float32Array(normals.length);
   yield* inSteps(normals.length / 3, (from, to) => {

@@ -29,12 +29,12 @@ export interface ObjFile {
   readonly uvs: Float32Array;
   /** x, y and z of each normal, not scaled to a length of 1. */
   readonly normals: Float32Array;
-  /** Vertex, texture coordinates and normal of each corner, counted from 0; −1 for none of the two latter. */
+  /** Indices (from 0) of vertex, texture coordinates and normal of each corner; −1 for none. */
   readonly corners: Int32Array;
   readonly runs: readonly ObjRun[];
   /** MTL files, one for each `mtllib` line. */
   readonly materialFiles: readonly string[];
-  /** Lines, points, curves and surfaces, which are left out. */
+  /** Number of ignored lines, points, curves and surfaces. */
   readonly leftOut: number;
   /** Number of concave faces with too many corners, cut as if convex. */
   readonly coarse: number;

@@ -237,8 +237,8 @@ function addLeg(mesh: MeshBuilder, hip: Vector3Tuple, knee: Vector3Tuple, foot: 
 }
 
 /**
- * A dragon of 48,000 triangles, made in code: as fine as the Stanford dragon, which may not be used everywhere. 1 m long
- * (x, its head at -x), standing on y = 0.
+ * A dragon of 48,000 triangles, made in code: as detailed as the Stanford dragon, whose licence restricts its use. 1 m
+ * long (x, its head at -x), standing on y = 0.
  */
 export function dragonMesh(): BufferGeometry {
   const mesh = new MeshBuilder();

@@ -24,7 +24,7 @@ export interface Sky {
   readonly irradiance?: number;
 }
 
-/** Three colours from below to above. */
+/** Three colours of a sky, from bottom to top. */
 export interface SkyGradient {
   readonly top: Vector3Tuple;
   readonly horizon: Vector3Tuple;

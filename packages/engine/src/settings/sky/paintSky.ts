@@ -50,7 +50,7 @@ function addStars(count: number, pixels: Float32Array, width: number, height: nu
 }
 
 /**
- * Paints a sky as an equirectangular picture, rows from the lowest to the highest as three's textures have them.
+ * Paints a sky as an equirectangular picture, bottom row first, as in three's textures.
  * @returns linear radiance: red, green, blue of each pixel
  */
 export function paintSky(look: SkyLook, width: number, height: number): Float32Array {

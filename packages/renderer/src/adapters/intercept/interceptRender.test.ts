@@ -5,7 +5,7 @@ import { type Interceptor, interceptRender } from './interceptRender';
 const scene = new Object3D();
 const camera = new Camera();
 
-/** A renderer that writes down who draws. */
+/** A renderer that records which function draws. */
 function renderer() {
   const drawn: string[] = [];
   const webgl = { render: () => void drawn.push('three') } as unknown as WebGLRenderer;

@@ -1,5 +1,5 @@
-// View z of the surface in a pixel: from depth, or from a stored distance where depth is shifted (polygonOffset),
-// oblique or coarse. Farol
+// View z of the surface in a pixel: from depth, or a stored distance where depth is shifted, oblique or coarse.
+// Farol
 #include "frameSize"
 #include "storedDistance"
 #include "unproject"

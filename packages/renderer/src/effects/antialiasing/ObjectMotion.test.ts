@@ -13,7 +13,7 @@ import {
 import { expect, test } from 'vitest';
 import { ObjectMotion } from './ObjectMotion';
 
-/** Whether an object counts as moved, and whether it is known how it stood, after each of some changes. */
+/** `hasMoved` and `isKnown` of an object after each of some changes. */
 function after(object: Object3D, changes: readonly (() => void)[]): boolean[][] {
   const motion = new ObjectMotion();
   motion.remember(object, 0);
@@ -66,7 +66,7 @@ test('instances whose matrices or morphs are replaced have moved, and so have th
   const material = new MeshBasicMaterial();
   const group = new InstancedMesh(new BoxGeometry(), material, 2);
   const other = () => (group.instanceMatrix = new InstancedBufferAttribute(new Float32Array(32), 16));
-  // what they were is copied from their first change on
+  // their former state is copied from the first change on
   expect(after(group, [() => {}, other, other])).toEqual([
     [false, true],
     [true, false],
@@ -86,7 +86,7 @@ test('instances whose matrices or morphs are replaced have moved, and so have th
     [true, false],
     [false, true],
   ]);
-  // as of what the page has let go of
+  // the page has freed the array
   (group.instanceMatrix as { array: unknown }).array = null;
   expect(after(group, [() => {}])).toEqual([[false, true]]);
 });

@@ -1,6 +1,6 @@
 // Finds a surface's colour in a picture with one surface a pixel, by depth: of its own pixel, or of the neighbour
-// whose depth is nearest to the plane of the fragment's triangle. Chajdas, McGuire and Luebke 2011, Subpixel
-// Reconstruction Antialiasing
+// whose depth is nearest to the plane of the fragment's triangle.
+// Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 #include "frameSize"
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_pictureDepth;

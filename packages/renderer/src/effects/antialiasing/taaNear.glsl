@@ -1,5 +1,5 @@
-// Distances (m) of the nearest and the farthest of a pixel's 3x3 samples; the nearest distance is negative if its
-// surface moves. Karis 2014, High Quality Temporal Supersampling (dilation)
+// Distances (m) of the nearest (negative if its surface moves) and the farthest of a pixel's 3 × 3 samples.
+// Karis 2014, High Quality Temporal Supersampling (dilation)
 #include "taaDepth"
 layout(location = 0) out highp vec2 farol_reach;
 //# main

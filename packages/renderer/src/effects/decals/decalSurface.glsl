@@ -1,5 +1,5 @@
-// A decal at a pixel's surface: its colour and opacity there, and the surface below. Krishnan 2012 / Persson, Volume
-// Decals (GPU Pro 2, 2011); gradients from neighbours of the same surface: Wronski 2015
+// A decal at a pixel's surface: its colour and opacity there, and the surface below.
+// Krishnan 2012; Persson 2011, Volume Decals (GPU Pro 2); Wronski 2015 (gradients from the same surface)
 #include "frameSize"
 #include "unproject"
 #include "octahedralNormal"

@@ -115,7 +115,7 @@ describe('the effect', () => {
     expect(main).toMatch(
       /lights_fragment_maps>\s+#if defined\( RE_IndirectDiffuse \)\s+#ifndef USE_LIGHTMAP\s+irradiance \+=/,
     );
-    // what the added lines name is there in three's chunk before them
+    // three's chunk defines the names used by the added lines before them
     for (const name of ['geometryPosition', 'geometryNormal', 'irradiance', 'iblIrradiance'])
       expect(ShaderChunk.lights_fragment_begin).toContain(`vec3 ${name} =`);
     setBakedSurroundings(scene, { grid: null, hasSky: false });

@@ -93,7 +93,7 @@ test('time goes by steps, and begins anew with another capacity, seed or shape',
   emitter.step(0.5);
   emitter.step(0.25);
   expect(emitter.time).toBeCloseTo(0.75, 9);
-  expect(emitter.pending.schedule.begun).toBe(27); // prewarm counts
+  expect(emitter.pending.schedule.begun).toBe(27); // including those of prewarm
   emitter.rate = 20;
   expect(emitter.time).toBeCloseTo(0.75, 9);
   for (const change of [{ capacity: 5 }, { seed: 9 }, { shape: { kind: 'point' } }] as const) {

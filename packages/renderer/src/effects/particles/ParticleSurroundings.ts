@@ -76,6 +76,7 @@ export class ParticleSurroundings {
       geometry: mesh.geometry,
       material: mesh.material,
       materialVariant: 0,
+      rank: 0,
       group: null,
       groupOrder: 0,
       renderOrder: 0,

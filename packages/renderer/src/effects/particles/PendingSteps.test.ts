@@ -13,7 +13,7 @@ test.each(['restart', 'done'] as const)('what was kept for long is let go: %s', 
   else pending.done();
   expect(pending.count).toBe(0);
   expect(pending.steps.length).toBeLessThanOrEqual(64);
-  // and it goes on
+  // later steps are still added
   pending.advance(10, particleDefaults, matrix, true);
   expect(pending.count).toBeGreaterThan(64);
   expect(pending.steps[pending.count - 1].time).toBeCloseTo(end === 'done' ? 70 : 10, 6);

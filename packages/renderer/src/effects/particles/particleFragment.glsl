@@ -1,5 +1,5 @@
-// Colours one particle: picture or soft dot, times its light, faded near surfaces and the camera. Lorach 2007, Soft
-// Particles (NVIDIA white paper); three.js r187's chunks for tone mapping, colour space and clipping
+// Colours one particle: picture or soft dot, times its light, faded near surfaces and the camera.
+// Lorach 2007, Soft Particles (NVIDIA white paper); three.js r187's tone mapping, colour space and clipping
 //# stage fragment
 #include "media"
 #include "storedDistance"

@@ -1,6 +1,6 @@
 // The light at the centre of each particle, a texel each: for each colour the sum over all lights, and the sum of
-// light times direction, from which the light on a ball or a mesh is computed. Farol; Ramamoorthi and Hanrahan 2001
-// (linear terms)
+// light times direction, from which the light on a ball or a mesh is computed.
+// Farol; Ramamoorthi and Hanrahan 2001 (linear terms)
 #include "incidentLight"
 #include "lightMask"
 uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)

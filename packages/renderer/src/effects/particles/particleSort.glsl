@@ -1,6 +1,6 @@
 // Up to three steps of a bitonic network in one pass, farthest first. All comparators have one direction: sorted
-// input stays sorted, and a part of the network never worsens an order. Batcher 1968, Sorting Networks and Their
-// Applications; Kipfer and Westermann 2005, GPU Gems 2, chapter 46
+// input stays sorted, and a part of the network never worsens an order.
+// Batcher 1968, Sorting Networks and Their Applications; Kipfer and Westermann 2005, GPU Gems 2, chapter 46
 uniform highp sampler2D farol_sorted; // order after the last pass: distance along the view (m), slot
 uniform highp ivec3 farol_partners; // for each step: XOR of the indices of two partners; 0: no such step
 layout(location = 0) out highp vec2 farol_key;

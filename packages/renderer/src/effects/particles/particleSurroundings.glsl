@@ -1,5 +1,5 @@
-// Indirect light that a white surface reflects, by its world-space normal: spherical harmonics of second order,
-// fitted to nine normals. Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
+// Indirect light on a white surface by world-space normal: second-order spherical harmonics, from nine normals.
+// Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
 uniform highp sampler2D farol_surroundings; // irradiance of nine normals: +X, -X, +Y, -Y, +Z, -Z, YZ, ZX, XY
 
 vec3 farol_surroundingLight(const in vec3 normal) {

@@ -1,5 +1,5 @@
-// Places the vertices of one particle: a rectangle that faces the camera, one stretched along its velocity, or a
-// mesh. Farol; three.js r187's chunks for fog, clipping and logarithmic depth
+// Places the vertices of a particle: a rectangle facing the camera, one stretched along its velocity, or a mesh.
+// Farol; three.js r187's chunks for fog, clipping and logarithmic depth
 //# stage vertex
 #include "particleCurves"
 #include "particleRandom"

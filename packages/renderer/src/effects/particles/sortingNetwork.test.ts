@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { sortingNetwork } from './sortingNetwork';
 
-/** A pass as particleSort.glsl makes it. */
+/** A pass like particleSort.glsl's, in JavaScript. */
 function pass(keys: readonly number[], partners: readonly number[]): number[] {
   let now = [...keys];
   for (const partner of partners) {

@@ -15,13 +15,13 @@ test('by the alias method each is as likely as its weight', () => {
 
 test('triangles of a mesh count by their areas in the world, with their corners and normals', () => {
   const geometry = new BufferGeometry();
-  // two right triangles of sides 1 and 1, 1 and 2
+  // two right triangles with legs 1 and 1, 1 and 2
   geometry.setAttribute(
     'position',
     new Float32BufferAttribute([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 2, 1, 0, 0], 3),
   );
   const mesh = new Mesh(geometry);
-  mesh.scale.set(1, 4, 1); // the first is four times as large then
+  mesh.scale.set(1, 4, 1); // this makes the first four times as large
   mesh.updateMatrixWorld();
   const table = surfaceTable(mesh)!;
   expect(table.triangles).toBe(2);

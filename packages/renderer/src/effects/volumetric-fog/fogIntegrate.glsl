@@ -1,5 +1,5 @@
-// Sums the froxels of each column from the eye on: scattered light and transmittance between the eye and the end of
-// each slice. Hillaire 2015, Physically Based and Unified Volumetric Rendering in Frostbite (integral of a slice)
+// Sums each column of froxels: scattered light and transmittance from the eye to the end of each slice.
+// Hillaire 2015, Physically Based and Unified Volumetric Rendering in Frostbite (integral of a slice)
 #include "fogSlices"
 uniform highp sampler3D farol_froxels;
 layout(location = 0) out highp vec4 farol_froxel0;

@@ -60,7 +60,7 @@ describe('the mean of frames', () => {
       ...Array.from({ length: 4 }, () => [1 / 2, 0]),
       ...Array.from({ length: 4 }, () => [1 / 3, 0]),
     ]);
-    // in motion two rounds at least
+    // in motion, at least two rounds of slices are averaged
     expect(1 / shares(80, never, false, 8).at(-1)![0]).toBe(2);
   });
 
@@ -70,7 +70,7 @@ describe('the mean of frames', () => {
       .slice(24)
       .reduce((rest, [share]) => rest * (1 - share), 1);
     expect(left).toBeLessThan(0.05);
-    // slices that wait for their turn follow changes too
+    // slices not computed in the frame follow changes too
     const [share, otherShare] = shares(40, (frame) => frame > 20, true, 8).at(-1)!;
     expect([share, otherShare]).toEqual([1 / 3, 1 / 3]);
   });

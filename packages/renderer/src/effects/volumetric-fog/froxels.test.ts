@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { sliceDepth } from './froxels';
 
-/** Scattered light and transmittance of even fog as fogIntegrate.glsl adds slices up. */
+/** Scattered light and transmittance of uniform fog, summed by slices as in fogIntegrate.glsl. */
 function integrate(extinction: number, source: number, depth: number, slices: number): [number, number] {
   let light = 0;
   let through = 1;

@@ -27,7 +27,7 @@ describe('the table of area lights', () => {
       const radius = table.radiusOf(light);
       let farthest = 0;
       for (let k = 0; k < 100; k++) {
-        // most often on the rim; discs and tubes lie within their rectangle
+        // often on the rim; discs and tubes are within their rectangle
         const [u, v] = [random(), random()].map((place) => (place < 0.3 ? 0 : place > 0.7 ? 1 : place) - 0.5);
         surface.set(u * light.width, v * light.height, 0);
         farthest = Math.max(farthest, surface.addScaledVector(new Vector3(...randomDirection(random)), range).length());

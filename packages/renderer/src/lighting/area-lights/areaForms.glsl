@@ -1,6 +1,6 @@
 // Share of a lobe that an area light fills. The diffuse lobe is a cosine about z of tangent space, the specular lobe
-// a cosine after a linear transform of that space. Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly
-// Transformed Cosines; three.js r187
+// a cosine after a linear transform of that space.
+// Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly Transformed Cosines; three.js r187
 #include "areaFeatures"
 #include "areaRecord"
 #include "discForm"

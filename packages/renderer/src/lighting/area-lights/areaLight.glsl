@@ -1,5 +1,5 @@
-// Light of rectangles, discs and tubes: none until a scene has such a light. Farol; areaLightOn then replaces this
-// chunk
+// Light of rectangles, discs and tubes: none until a scene has such a light.
+// Farol; areaLightOn then replaces this chunk
 #define FAROL_SET_AREA
 #define FAROL_PLAIN_LIGHTS (farol_lightCounts.z - farol_lightCounts.w)
 #define FAROL_OTHER_LIGHTS farol_lightCounts.w

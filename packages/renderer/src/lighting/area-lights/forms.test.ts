@@ -19,7 +19,10 @@ const cross = (a: Vector, b: Vector): Vector => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Sum of directions over the ellipse by solid angle, by pi; by samples. @returns its length, and its direction's z */
+/**
+ * Integral of directions over the ellipse's solid angle divided by pi, by samples.
+ * @returns length of the integral, and z of its direction
+ */
 function sampleDisc(centre: Vector, u: Vector, v: Vector): number[] {
   let sum: Vector = [0, 0, 0];
   const normal = cross(u, v);
@@ -37,7 +40,7 @@ function sampleDisc(centre: Vector, u: Vector, v: Vector): number[] {
   return [length, sum[2] / length];
 }
 
-/** Irradiance of z = 0, by pi, from a thin tube of radiance 1, by samples. */
+/** Irradiance of z = 0 divided by pi, from a thin tube of radiance 1, by samples. */
 function sampleTube(start: Vector, end: Vector, radius: number): number {
   const axis = plus(end, start, -1);
   const length = Math.sqrt(dot(axis, axis));
@@ -47,13 +50,13 @@ function sampleTube(start: Vector, end: Vector, radius: number): number {
     const at = plus(start, axis, (i + 0.5) / samples);
     const squared = dot(at, at);
     const sine = Math.sqrt(Math.max(0, 1 - dot(at, axis) ** 2 / (squared * length ** 2)));
-    // a tube is twice its radius wide, whichever way it is seen
+    // from any direction a tube looks as wide as twice its radius
     sum += ((Math.max(0, at[2]) / Math.sqrt(squared)) * 2 * radius * sine * length) / squared / samples;
   }
   return sum / Math.PI;
 }
 
-/** The numbers of a claim: the first `count`, of the arguments of the function, and those of what it is to give. */
+/** The numbers of a claim: the function's arguments, the first `count` of them, and the expected result. */
 function numbersOf(claim: { left: string; right: string }, count: number): { given: number[]; wanted: number[] } {
   const numbers = (text: string) =>
     [...text.matchAll(/(?<![\w.])-?\d+\.?\d*(?:e-?\d+)?/g)].map(([digits]) => Number(digits));
@@ -63,7 +66,7 @@ function numbersOf(claim: { left: string; right: string }, count: number): { giv
 
 const vector = (numbers: number[], i: number): Vector => [numbers[i], numbers[i + 1], numbers[i + 2]];
 
-// the claims themselves are held against the shaders by e2e/render/claims.spec.ts
+// e2e/render/claims.spec.ts tests the claims with the shaders
 describe('the numbers that the shaders of discs and tubes claim are those of sampling', () => {
   const discs = findClaims(discForm);
   const tubes = findClaims(tubeForm);

@@ -1,6 +1,6 @@
 // Light on one surface, as by three's RE_Direct_Physical and RE_Direct_BlinnPhong, but with factors common to all
-// lights outside of the loop: three sums, weighted at the end by the surface's colours. three.js r187; Walter et al.
-// 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
+// lights outside of the loop: three sums, weighted at the end by the surface's colours.
+// three.js r187; Walter et al. 2007 (GGX), Heitz 2014 (height-correlated Smith), Turquin 2018 (multiple scattering)
 #include "ggx"
 #include "incidentLight"
 #include "lightMask"

@@ -90,9 +90,9 @@ export const testCameras: readonly TestCamera[] = [
 ];
 
 /**
- * Spheres [n, 4] about what a camera sees: in view, beside it, behind the camera and round it, across the near plane,
- * some of radius 0.
- * @param reach - depth that they are spread over (m)
+ * Spheres [n, 4] around a camera's view: in it, beside it, behind the camera and around it, across the near plane, some of
+ * radius 0.
+ * @param reach - depth over which they are spread (m)
  * @param radius - from a fifth to twice of it (m)
  */
 export function randomSpheres(

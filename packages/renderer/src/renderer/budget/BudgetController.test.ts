@@ -4,7 +4,7 @@ import { BudgetController } from './BudgetController';
 import { REASONS } from './reasons';
 
 const FRAME = 16.7;
-/** Courses of noise that each device is simulated with. */
+/** Number of random seeds with which each device is simulated. */
 const SEEDS = 6;
 
 /** Numbers from 0 to 1 by a fixed seed (mulberry32). */
@@ -21,13 +21,13 @@ function randomNumbers(seed: number): () => number {
 interface Device {
   /** Cost of the pixels at scale 1 (ms). */
   pixels: number;
-  /** Cost besides (ms). */
+  /** Cost that does not depend on the scale (ms). */
   rest: number;
   /** Standard deviation of times, as a share. */
   noise: number;
-  /** Frames until a time is known. */
+  /** Number of frames until a frame's time is known. */
   delay: number;
-  /** Milliseconds that intervals are whole numbers of; 0: they are as long as frames take. */
+  /** Refresh interval of the display, to whose multiples intervals are rounded up (ms); 0: intervals equal frame times. */
   refresh: number;
 }
 
@@ -94,7 +94,7 @@ for (const [name, source, parts, noises] of devices) {
           const ms = draw(30);
           const said = `seed ${seed}, load × ${factor}`;
           expect.soft(ms, said).toBeLessThan(FRAME + 2);
-          // at the largest scale a frame may be as fast as it likes
+          // at the largest scale a frame may be faster
           if (controller.scale < 1) expect.soft(ms, said).toBeGreaterThan(FRAME - 2);
           draw(30);
           expect.soft(sway(120), `${said}: sway (steps)`).toBeLessThanOrEqual(1.001);

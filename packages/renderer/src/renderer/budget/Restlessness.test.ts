@@ -14,9 +14,9 @@ function randomNumbers(seed: number): () => number {
   };
 }
 
-/** Other work of a machine, by which frames take longer for a while. */
+/** Other work of a machine, which slows frames for a while. */
 interface Bursts {
-  /** How many times as long frames take. */
+  /** Factor on the time of frames. */
   factor: number;
   /** Mean length of a burst, and of the pause after it (frames). */
   on: number;
@@ -103,13 +103,13 @@ for (const source of ['gpu', 'interval'] as const)
           Object.assign(load, { pixels: 12 * factor, rest: 3 * factor });
           draw(30);
           const ms = load.rest + load.pixels * controller.scale ** 2;
-          // at the largest scale a frame may be as fast as it likes
+          // at the largest scale a frame may be faster
           off.push(controller.scale < 1 ? Math.abs(ms - 16.7) : Math.max(0, ms - 16.7));
           draw(30);
           sways.push(draw(120));
         }
       }
-      // with noise of 10%, means of so few frames are off a little more now and then
+      // with noise of 10%, means of so few frames deviate more
       const share = noise < 0.1 ? 0 : 0.03;
       const late = off.filter((ms) => ms >= 2);
       expect(late.length, `off by ${late.join()} ms`).toBeLessThanOrEqual(share * off.length);

@@ -1,5 +1,5 @@
-// Encodes linear light of any brightness to 0 to 1, in steps that look alike, and decodes it; display-encoded colours
-// stay. Karis 2013, Tone Mapping (weights of samples by 1 / (1 + luma)); a gamma of 2 after it
+// Encodes linear light to 0 to 1, in steps that look alike, and decodes it; not display-encoded colours.
+// Karis 2013, Tone Mapping (weights of samples by 1 / (1 + luma)); a gamma of 2 after it
 uniform bool farol_isLinear; // whether the picture is linear light
 
 vec4 farol_toPerceptual(const in vec4 color) {

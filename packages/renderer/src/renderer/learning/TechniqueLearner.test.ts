@@ -25,7 +25,7 @@ function random(seed: number): () => number {
   };
 }
 
-/** A storage that holds `text` first. */
+/** A storage with the initial content `text`. */
 function storageOf(text: string | null = null) {
   return {
     text,
@@ -221,7 +221,7 @@ it('tells a stored verdict in words: the pair, the faster one, and where it hold
     ...{ lights: 32, coverage: 2, overdraw: 1, pixels: 2 ** 20 },
   };
   expect(choices.all().map((each) => readVerdict(...each))).toEqual([told]);
-  // those of other GPUs are stored beside them
+  // verdicts of other GPUs are stored too
   expect(new LearntChoices('other', storage).all().map((each) => readVerdict(...each))).toEqual([told]);
   expect(readVerdict('GPU', key, 2).faster).toBeNull();
 });

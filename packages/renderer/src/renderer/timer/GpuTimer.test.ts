@@ -3,7 +3,7 @@ import { GpuTimer } from './GpuTimer';
 
 const [ELAPSED, DISJOINT] = [1, 2];
 
-/** A WebGL context whose queries are answered when told to, in milliseconds. */
+/** A WebGL context whose queries get results (ms) when the test says so. */
 function makeContext() {
   const answers = new Map<object, number>();
   const state = { disjoint: false, current: null as object | null, made: 0, deleted: 0 };
@@ -37,7 +37,7 @@ describe('GpuTimer', () => {
     time('lighting');
     expect(timer.poll()).toBe(false);
     answer(1, 5);
-    // answers come in the order of the queries
+    // results are read in the order of the queries
     expect(timer.poll()).toBe(false);
     answer(0, 2);
     expect(timer.poll()).toBe(true);

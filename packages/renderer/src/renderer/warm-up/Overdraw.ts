@@ -1,222 +1,205 @@
-import type { BufferGeometry, Camera, InstancedMesh, Object3D, Sphere } from 'three';
+import {
+  BackSide,
+  type BufferGeometry,
+  type Camera,
+  DoubleSide,
+  type InstancedMesh,
+  type Material,
+  Matrix3,
+  Matrix4,
+  type Object3D,
+} from 'three';
 import type { RenderItem } from '../../frame/RenderItem';
-import { byState } from '../../frame/RenderQueue';
-import type { RenderListItem } from '../../three/RenderListItem';
-import { isReadable } from '../../three/vertexData';
+import { POINT, POINTS, surfacePoints } from './surfacePoints';
 
-/** Number of cells along a side of the picture. */
-const SIDE = 8;
-/** Number of frames from one estimate to the next. */
-const INTERVAL = 32;
+/** Maximum number of cells along a side of the picture, and smallest mean number of parts in a cell. */
+const MOST_CELLS = 8;
+const POINTS_A_CELL = 16;
+/** Number of frames from one estimate to the next, and of those before one in which new items' points are found. */
+const INTERVAL = 64;
+const AHEAD = 8;
 /** Number of opaque items beyond which nothing is estimated, since the CPU then takes longer than the GPU. */
 const MOST_ITEMS = 1000;
-/** Maximum number of a geometry's vertices, evenly spread, from which its box is computed. */
-const SAMPLES = 64;
-/** Share of a cell that an item must cover to hide what is behind it. */
-const HIDES = 0.5;
-/** Number of pixels that a GPU shades (0.5 ns each) while the CPU changes material (2 µs). */
-const PIXELS_A_CHANGE = 4000;
-/** Clip-space w below which a corner counts as behind the camera. */
+/** Maximum number of points of all items together: each item has fewer where there are many items. */
+const MOST_POINTS = 6144;
+/** Capacity of the arrays below, which describe parts. */
+const MOST_PARTS = MOST_POINTS + MOST_ITEMS;
+/** Number of runs (successive items of one material and render order) beyond which nothing is estimated. */
+const MOST_RUNS = 64;
+/** Clip-space w below which a point counts as behind the camera. */
 const BEHIND = 1e-3;
-
-/**
- * Order front to back by octaves of depth, which saves shading of hidden pixels; within an octave as `byState`, which saves
- * changes of material.
- */
-export function byOctave(a: RenderListItem, b: RenderListItem): number {
-  return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || octaveOf(a.z) - octaveOf(b.z) || byState(a, b);
-}
-
-/** Octave of a depth (m), from 1/1024 on; 0 for nearer depths, and behind the camera. */
-const octaveOf = (z: number): number => 32 - Math.clz32(Math.max(0, z * 1024));
 
 /** Parts of a frame that an estimate reads. */
 export interface EstimatedFrame {
   readonly camera: Camera;
-  /** Size of the picture (pixels). */
-  readonly width: number;
-  readonly height: number;
-  readonly queue: { readonly opaque: readonly RenderItem[]; readonly order: unknown };
+  readonly queue: { readonly opaque: readonly RenderItem[] };
 }
 
-/** Boxes of geometries in their own space, min and max; null for one without positions. */
-const boxes = new WeakMap<BufferGeometry, Float32Array | null>();
-const sphereBox = new Float32Array(6);
-/** Nearest depth drawn so far, and share that is drawn, of each cell. */
-const depths = new Float32Array(SIDE * SIDE);
-const covered = new Float32Array(SIDE * SIDE);
-/** Projection × view × world. */
-const m = new Float64Array(16);
-/** Items of the frame sorted by the other order; empty between estimates. */
-const reordered: RenderItem[] = [];
-/** Rectangle of an item in cells: left, right, bottom, top; then its depth. */
-const rectangle = new Float64Array(5);
+const toView = new Matrix4();
+const normals = new Matrix3();
+/** Parts of the picture, one around each point: depth (m), position from left and bottom (0 to 1), run, share of the picture. */
+const depths = new Float64Array(MOST_PARTS);
+const columns = new Float64Array(MOST_PARTS);
+const rows = new Float64Array(MOST_PARTS);
+const runOf = new Uint8Array(MOST_PARTS);
+const areas = new Float64Array(MOST_PARTS);
+/** Sort key of each part: depth and index in one number. */
+const keys = new Float64Array(MOST_PARTS);
+/** First item of each run, in the order in which they are drawn; empty between estimates. */
+const runs: RenderItem[] = [];
+/** First run of the same material, of each run. */
+const firsts = new Uint8Array(MOST_RUNS);
+/** Waste (cells) of drawing a material before the others that have no rank yet, at its first run. */
+const wastes = new Float64Array(MOST_RUNS);
+/** Share of each cell that the nearer parts of each run cover, 0 to 1. */
+const front = new Float64Array(MOST_CELLS * MOST_CELLS * MOST_RUNS);
+/** Area of a run that another run hides (cells), at index other run × MOST_RUNS + run. */
+const hides = new Float64Array(MOST_RUNS * MOST_RUNS);
 
 /**
- * Estimate of how often the opaque items of a scene shade a pixel that a later one hides: the boxes of items, in the order in
- * which they are drawn, over 8 × 8 cells of the picture. Against counts: atrium 1.0 (1.2), temple 0.2 (0.3), a room of planes
- * 0.5 (0.1), dragons 0.4 (0.2). Made anew every 32 frames, half of it from the one before; without allocation.
+ * Estimate of how often the opaque items of a scene shade a pixel that a later one hides, and of the order of materials
+ * that avoids most of it, from points on the items' surfaces in cells of the picture. Computed again every 64 frames.
  */
 export class Overdraw {
-  /** Shadings beyond the first, of a pixel on average. */
+  /** Mean number of shadings of a pixel beyond the first; the mean of the last estimate and the value before. */
   layers = 0;
   /** Number of triangles of the items that a depth pre-pass would draw. */
   triangles = 0;
-  /** `RenderQueue.order`: by octaves if that saves more GPU time than its changes of material cost the CPU; else null. */
-  order: typeof byOctave | null = null;
+  /** Rank of each material in the order of draws, for `RenderQueue.ranks`; the lowest is drawn first. */
+  readonly ranks = new Map<Material, number>();
   private frames = 0;
+  private parts = 0;
 
-  /** Counts a drawn frame, and estimates anew in every 32nd. */
-  follow({ camera, queue: { opaque, order }, width, height }: EstimatedFrame): void {
-    if (this.frames++ % INTERVAL !== 0) return;
-    const isFirst = this.frames === 1;
-    if (opaque.length > MOST_ITEMS) {
-      this.layers /= 2;
-      this.order = null;
-      return;
-    }
+  /** Counts a drawn frame, and estimates anew in every 64th. */
+  follow({ camera, queue: { opaque } }: EstimatedFrame): void {
+    const frame = this.frames++ % INTERVAL;
+    const isFew = opaque.length <= MOST_ITEMS;
+    if (frame < AHEAD && isFew) for (let i = frame; i < opaque.length; i += AHEAD) surfacePoints(opaque[i]);
+    if (frame !== AHEAD) return;
+    const isKnown = isFew && this.place(opaque, camera);
+    const layers = isKnown ? this.compare() : 0;
+    this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
+    this.ranks.clear();
+    if (isKnown) this.rank();
+    runs.length = 0;
+  }
+
+  /** Finds the parts of the picture that items cover. @returns false if there are too many runs */
+  private place(items: readonly RenderItem[], camera: Camera): boolean {
     // an estimate that a host's getter ended by throwing may have left items here
-    reordered.length = opaque.length;
-    for (let i = 0; i < opaque.length; i++) reordered[i] = opaque[i];
-    reordered.sort(order === null ? byOctave : byState);
-    const sign = order === null ? -1 : 1;
-    const other = this.estimate(reordered, camera);
-    const layers = this.estimate(opaque, camera);
-    const changes = sign * (changesOf(opaque) - changesOf(reordered));
-    const isNearFirst = sign * (other - layers) * width * height > PIXELS_A_CHANGE * changes;
-    this.order = isNearFirst ? byOctave : null;
-    this.layers = isFirst ? layers : (this.layers + layers) / 2;
-    reordered.length = 0;
-  }
-
-  private estimate(items: readonly RenderItem[], camera: Camera): number {
-    depths.fill(Infinity);
-    covered.fill(0);
-    this.triangles = 0;
-    let drawn = 0;
+    runs.length = this.parts = this.triangles = 0;
+    const step = Math.ceil((items.length * POINTS) / MOST_POINTS);
+    let last: RenderItem | null = null;
     for (let i = 0; i < items.length; i++) {
-      const { object, geometry, group, route } = items[i];
-      if (route !== 'split') continue;
-      this.triangles += trianglesOf(object, geometry, group);
-      const box = boxOf(object, geometry);
-      if (box === null || !project(box, object, camera)) continue;
-      drawn += draw();
+      const item = items[i];
+      if (item.route !== 'split') continue;
+      this.triangles += trianglesOf(item);
+      const follows = last !== null && last.material === item.material && isBeside(last, item) && last.z <= item.z;
+      if (!follows) {
+        if (runs.length === MOST_RUNS) return false;
+        let first = 0;
+        while (first < runs.length && runs[first].material !== item.material) first++;
+        firsts[runs.length] = first;
+        runs.push(item);
+      }
+      last = item;
+      this.placeItem(item, camera, step);
     }
-    let first = 0;
-    for (let i = 0; i < covered.length; i++) first += covered[i];
-    return (drawn - first) / covered.length;
+    return true;
+  }
+
+  private placeItem(item: RenderItem, camera: Camera, step: number): void {
+    const { side } = item.material;
+    const m = toView.multiplyMatrices(camera.matrixWorldInverse, item.object.matrixWorld).elements;
+    const n = normals.getNormalMatrix(toView).elements;
+    const p = camera.projectionMatrix.elements;
+    const scale = Math.abs(toView.determinant() * p[0] * p[5]) * 0.25 * step;
+    const points = surfacePoints(item);
+    for (let i = 0; i < points.length; i += POINT * step) {
+      const x = m[0] * points[i] + m[4] * points[i + 1] + m[8] * points[i + 2] + m[12];
+      const y = m[1] * points[i] + m[5] * points[i + 1] + m[9] * points[i + 2] + m[13];
+      const z = m[2] * points[i] + m[6] * points[i + 1] + m[10] * points[i + 2] + m[14];
+      const w = p[3] * x + p[7] * y + p[11] * z + p[15];
+      if (w < BEHIND) continue;
+      const [a, b, c] = [points[i + 3], points[i + 4], points[i + 5]];
+      const nz = n[2] * a + n[5] * b + n[8] * c;
+      // above 0 where the surface faces the camera, or the plane of an orthographic one
+      const facing =
+        p[11] === 0 ? nz : -((n[0] * a + n[3] * b + n[6] * c) * x + (n[1] * a + n[4] * b + n[7] * c) * y + nz * z);
+      const area = ((side === DoubleSide ? Math.abs(facing) : side === BackSide ? -facing : facing) * scale) / w ** 3;
+      if (area > 0) this.add((p[0] * x + p[8] * z + p[12]) / w, (p[5] * y + p[9] * z + p[13]) / w, -z, area);
+    }
+  }
+
+  /** Adds a part around a point in normalised device coordinates. @param area - share of the picture */
+  private add(x: number, y: number, depth: number, area: number): void {
+    if (!(Math.abs(x) < 1 && Math.abs(y) < 1)) return;
+    const part = this.parts++;
+    depths[part] = depth;
+    columns[part] = (x + 1) / 2;
+    rows[part] = (y + 1) / 2;
+    runOf[part] = runs.length - 1;
+    areas[part] = area;
+  }
+
+  /** Visits the parts from near to far, and sets `hides`. @returns share of the picture that is drawn and hidden later */
+  private compare(): number {
+    const { parts } = this;
+    for (let i = 0; i < parts; i++) keys[i] = Math.round(Math.min(depths[i], 1e6) * 1024) * MOST_PARTS + i;
+    keys.subarray(0, parts).sort();
+    const side = Math.max(1, Math.min(MOST_CELLS, Math.floor(Math.sqrt(parts / POINTS_A_CELL))));
+    front.fill(0);
+    hides.fill(0);
+    let wasted = 0;
+    for (let i = 0; i < parts; i++) {
+      const part = keys[i] % MOST_PARTS;
+      const own = runOf[part];
+      const share = areas[part] * side * side;
+      const cell = (Math.floor(rows[part] * side) * side + Math.floor(columns[part] * side)) * MOST_RUNS;
+      let later = 0;
+      for (let run = 0; run < runs.length; run++) {
+        hides[run * MOST_RUNS + own] += share * front[cell + run];
+        if (run > own) later += front[cell + run];
+      }
+      wasted += share * Math.min(1, later);
+      front[cell + own] = Math.min(1, front[cell + own] + share);
+    }
+    return wasted / (side * side);
+  }
+
+  /** Ranks materials: each next one is the material that wastes least shading when drawn before all that are left. */
+  private rank(): void {
+    wastes.fill(0);
+    for (let run = 0; run < runs.length; run++) addWastes(run, 1);
+    for (let rank = 0; rank < runs.length; rank++) {
+      let next = -1;
+      for (let run = 0; run < runs.length; run++) {
+        if (firsts[run] !== run || this.ranks.has(runs[run].material)) continue;
+        if (next < 0 || wastes[run] < wastes[next]) next = run;
+      }
+      if (next < 0) return;
+      this.ranks.set(runs[next].material, rank);
+      for (let run = next; run < runs.length; run++) if (firsts[run] === next) addWastes(run, -1);
+    }
   }
 }
 
-/** Number of changes of material from one item to the next. */
-function changesOf(items: readonly RenderItem[]): number {
-  let changes = 0;
-  for (let i = 1; i < items.length; i++) if (items[i].material !== items[i - 1].material) changes++;
-  return changes;
-}
-
-/** Draws `rectangle` into the grid of depths. @returns number of cells in which it is nearest, by area */
-function draw(): number {
-  const [left, right, bottom, top, depth] = rectangle;
-  let drawn = 0;
-  for (let y = Math.floor(bottom); y < top; y++) {
-    const height = Math.min(y + 1, top) - Math.max(y, bottom);
-    for (let x = Math.floor(left); x < right; x++) {
-      const cell = y * SIDE + x;
-      if (depth >= depths[cell]) continue;
-      const share = height * (Math.min(x + 1, right) - Math.max(x, left));
-      drawn += share;
-      covered[cell] = Math.min(1, covered[cell] + share);
-      if (share > HIDES) depths[cell] = depth;
-    }
-  }
-  return drawn;
-}
-
-/** Projects a box to `rectangle`. @returns false where the camera does not see the box */
-function project(box: Float32Array, { matrixWorld }: Object3D, camera: Camera): boolean {
-  multiply(camera.matrixWorldInverse.elements, matrixWorld.elements);
-  const depth = (m[2] * (box[0] + box[3]) + m[6] * (box[1] + box[4]) + m[10] * (box[2] + box[5])) / 2 + m[14];
-  const p = camera.projectionMatrix.elements;
-  let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (let corner = 0; corner < 8; corner++) {
-    const x = box[corner & 1 ? 3 : 0];
-    const y = box[corner & 2 ? 4 : 1];
-    const z = box[corner & 4 ? 5 : 2];
-    const vx = m[0] * x + m[4] * y + m[8] * z + m[12];
-    const vy = m[1] * x + m[5] * y + m[9] * z + m[13];
-    const vz = m[2] * x + m[6] * y + m[10] * z + m[14];
-    const w = p[3] * vx + p[7] * vy + p[11] * vz + p[15];
-    if (w < BEHIND) {
-      // a box that reaches behind the camera may be seen anywhere
-      [left, right, bottom, top] = [-1, 1, -1, 1];
-      break;
-    }
-    const sx = (p[0] * vx + p[4] * vy + p[8] * vz + p[12]) / w;
-    const sy = (p[1] * vx + p[5] * vy + p[9] * vz + p[13]) / w;
-    left = Math.min(left, sx);
-    right = Math.max(right, sx);
-    bottom = Math.min(bottom, sy);
-    top = Math.max(top, sy);
-  }
-  rectangle[0] = cellOf(left);
-  rectangle[1] = cellOf(right);
-  rectangle[2] = cellOf(bottom);
-  rectangle[3] = cellOf(top);
-  // the view looks along -z
-  rectangle[4] = -depth;
-  return rectangle[0] < rectangle[1] && rectangle[2] < rectangle[3];
-}
-
-/** Cells from the left or the bottom, of a normalised device coordinate. */
-const cellOf = (coordinate: number): number => Math.max(0, Math.min(SIDE, ((coordinate + 1) / 2) * SIDE));
-
-/** Sets `m` to a × b of 4 × 4 matrices. */
-function multiply(a: readonly number[], b: readonly number[]): void {
-  for (let column = 0; column < 16; column += 4) {
-    for (let row = 0; row < 4; row++) {
-      m[column + row] =
-        a[row] * b[column] + a[row + 4] * b[column + 1] + a[row + 8] * b[column + 2] + a[row + 12] * b[column + 3];
-    }
+/** Adds, times a sign, the waste of each other material if it comes before a run, less that of the run before it. */
+function addWastes(run: number, sign: number): void {
+  for (let other = 0; other < runs.length; other++) {
+    if (!isBeside(runs[run], runs[other])) continue;
+    wastes[firsts[other]] += sign * (hides[run * MOST_RUNS + other] - hides[other * MOST_RUNS + run]);
   }
 }
 
-function trianglesOf(object: Object3D, { index, attributes, drawRange }: BufferGeometry, group: RenderItem['group']) {
+/** Whether two items may be drawn in either order. */
+function isBeside(a: RenderItem, b: RenderItem): boolean {
+  return a.groupOrder === b.groupOrder && a.renderOrder === b.renderOrder;
+}
+
+function trianglesOf({ object, geometry, group }: RenderItem): number {
+  const { index, attributes, drawRange }: BufferGeometry = geometry;
   const all = Math.min(index?.count ?? attributes.position?.count ?? 0, drawRange.count);
-  const { isInstancedMesh, count } = object as InstancedMesh;
+  const { isInstancedMesh, count } = object as Object3D as InstancedMesh;
   return ((group === null ? all : Math.min(all, group.count)) / 3) * (isInstancedMesh ? count : 1);
-}
-
-/** Box of an item in its object's space; null if unknown. */
-function boxOf(object: Object3D, geometry: BufferGeometry): Float32Array | null {
-  // instances, batches and skins have their own bounds, which three computes to cull them
-  const { boundingSphere } = object as Object3D & { boundingSphere?: Sphere | null };
-  if (boundingSphere === undefined) {
-    let box = boxes.get(geometry);
-    if (box === undefined) boxes.set(geometry, (box = sampledBox(geometry)));
-    return box;
-  }
-  if (boundingSphere === null) return null;
-  const { center, radius } = boundingSphere;
-  for (let axis = 0; axis < 3; axis++) {
-    const middle = axis === 0 ? center.x : axis === 1 ? center.y : center.z;
-    sphereBox[axis] = middle - radius;
-    sphereBox[axis + 3] = middle + radius;
-  }
-  return sphereBox;
-}
-
-function sampledBox({ attributes }: BufferGeometry): Float32Array | null {
-  const { position } = attributes;
-  if (position === undefined || position.count === 0 || !isReadable(position)) return null;
-  const box = new Float32Array([Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]);
-  const step = Math.ceil(position.count / SAMPLES);
-  for (let i = 0; i < position.count; i += step) {
-    for (let axis = 0; axis < 3; axis++) {
-      const value = position.getComponent(i, axis);
-      box[axis] = Math.min(box[axis], value);
-      box[axis + 3] = Math.max(box[axis + 3], value);
-    }
-  }
-  return box;
 }

@@ -55,7 +55,7 @@ describe('TechniqueChooser', () => {
   });
 
   it.each([
-    // on the last value of one technique, and beyond it
+    // at the last value for one technique, and above it
     [
       'lights',
       { bounded: 2, everywhere: 0 },
@@ -120,7 +120,7 @@ describe('TechniqueChooser', () => {
   });
 
   it.each([
-    // as estimated in the scenes of the Lab, and as measured there on an H200
+    // figures of the Lab's scenes, and whether 'forward-plus' was faster on an H200
     ['the atrium', { bounded: 20, coverage: 5.7, overdraw: 1, triangles: 237_000 }, [false, true, true]],
     [
       'the atrium with 100 lights',

@@ -3,7 +3,7 @@ import { LastFrame } from '../LastFrame';
 import { Lazy } from '../../frame/Lazy';
 import { whenReady } from './whenReady';
 
-/** A FarolRenderer as `whenReady` sees it, whose frames ask for `parts`. */
+/** The parts of a FarolRenderer that `whenReady` reads; its frames need the code of `parts`. */
 class FakeRenderer {
   readonly redraw = vi.fn<() => void>();
   readonly last = new LastFrame(this.redraw);
@@ -20,7 +20,7 @@ class FakeRenderer {
     Lazy.lacking = outer;
   }
 
-  /** Notes what becomes of a promise. */
+  /** Records the state of a promise of `whenReady`. */
   wait(): { state: string } {
     const seen = { state: 'waits' };
     whenReady(this.last, this.picker, () => this.disposed).then(
@@ -34,10 +34,10 @@ class FakeRenderer {
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-/** Lets all that is settled be told, and timers without a delay run. */
+/** Runs pending promise callbacks, and timers without a delay. */
 const settle = () => vi.advanceTimersByTimeAsync(1);
 
-/** A part, and what ends its fetch. */
+/** A part of late code, and functions that end its fetch. */
 function late(name: string) {
   let come!: () => void;
   let fail!: (error: Error) => void;

@@ -145,9 +145,10 @@ describe('TextureAtlas', () => {
     expect(fly(0)).toBe(40);
     const anew = Array.from({ length: 38 }, (_, look) => fly(look + 1));
     expectApart(tenants, 2048);
-    // one that moves out of it, one that moves in, and some whose place was too small; seldom all, where free places are in pieces
+    // few maps move: one out of the atlas, one into it, and some whose region was too small; all only rarely, if free room is in
+    // pieces
     expect(anew.filter((count) => count > 12).length).toBeLessThanOrEqual(2);
-    // those near the camera have what they ask for, or half of it
+    // those near the camera have their wanted size, or half of it
     for (const tenant of tenants.slice(36)) expect(tenant.faceWidth).toBeGreaterThanOrEqual(128);
     const texels = tenants.reduce((sum, { placement: { region } }) => sum + region!.width * region!.height, 0);
     expect(texels).toBeGreaterThan(0.6 * 2048 * 2048);

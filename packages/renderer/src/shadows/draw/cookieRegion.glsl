@@ -1,7 +1,7 @@
 // Copies a mipmap level of an image that a light projects into its region of the atlas, with a border by the image's
 // wrapping; FAROL_IMAGE_KIND 1: six faces of a cube, three by two, each with a border; 2: a photometric profile, 0 to
-// 180° by 0 to 360°, first and last at texel centres. Farol; faces in the order and orientation of farol_cubeFace in
-// lightShadow.glsl
+// 180° by 0 to 360°, first and last at texel centres.
+// Farol; faces in the order and orientation of farol_cubeFace in lightShadow.glsl
 #if FAROL_IMAGE_KIND == 1
 uniform highp samplerCube farol_cookieImage;
 #else

@@ -1,5 +1,5 @@
-// Copies a light's region of the shadow atlas into `shadow.map`: depths, and colours as three's MeshDepthMaterial
-// writes them. three.js r187, WebGLShadowMap and ShaderLib.depth
+// Copies a light's region of the shadow atlas to `shadow.map`: depths, and colours as of MeshDepthMaterial.
+// three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_hostMapAtlas;
 uniform highp vec4 farol_hostMapRegion; // xy: corner (texels); zw: size of the region over the map's size
 uniform bool farol_hasMoments; // whether the atlas holds mean and deviation of depths, which are copied unchanged

@@ -1,6 +1,6 @@
 // Samples the images that lights project, with filtering as by a GPU: the first few spot lights' textures directly;
-// other textures, and point lights' cubes, from copies in the atlas of colours. OpenGL ES 3.0, 3.8.9 and 3.8.10
-// (levels); EXT_texture_filter_anisotropic (samples along the longer side of a pixel)
+// other textures, and point lights' cubes, from copies in the atlas of colours.
+// OpenGL ES 3.0, 3.8.9 and 3.8.10 (levels); EXT_texture_filter_anisotropic (samples along the longer side of a pixel)
 #include "imageSamplers"
 #include "maskFeatures"
 #include "maskRecord"
@@ -127,7 +127,7 @@ FarolQuad farol_quadOf(const in int record, const in mat4 matrix, const in vec4 
     farol_placeBeside(matrix, coord, first + vec2(0.0, 1.0), span, positionVS, planeVS));
 }
 
-// colour of a texture itself, or of an image's copy, filtered over a pixel; coord: place in it (homogeneous, 0..1)
+// colour of a texture itself, or of an image's copy, filtered over a pixel; coord: homogeneous, 0..1
 vec3 farol_imageOn(const in int record, const in FarolImage image, const in mat4 matrix, const in vec4 coord,
   const in vec3 positionVS, const in vec3 normalVS) {
   int filtering = farol_maskCookieFilter(record);

@@ -101,8 +101,8 @@ vec4 farol_cascadeRegion(const in int record, const in vec4 region, inout vec3 c
   return vec4(region.xy + vec2(map & 1, map >> 1) * region.zw, region.zw);
 }
 
-// 1 in the light, 0 in full shadow: an upper bound from mean and deviation of the depths, with light bleeding cut
-// off; away: 1 where depth grows with distance, -1 where it is reversed
+// 1 in the light, 0 in full shadow: upper bound from mean and deviation of depths, light bleeding cut off
+// away: 1 where depth grows with distance, -1 where it is reversed
 float farol_varianceShadow(const in vec4 region, const in vec3 coord, const in float away) {
   vec2 texel = clamp(region.xy + coord.xy * region.zw, region.xy + 0.5, region.xy + region.zw - 0.5);
   vec2 moments = textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rg;
@@ -114,8 +114,8 @@ float farol_varianceShadow(const in vec4 region, const in vec3 coord, const in f
 
 // Three's disk at right angles to the direction, projected to the plane of the cube's face, to first order. With (p,
 // q) where the direction hits the face (-1..1), l² = 1 + p² + q² and three's tangent t and bitangent b of the disk, t
-// projects to (p, q) + l (t.xy - (p, q) t.z), and b likewise. Samples beyond the face are in its border. depths: a
-// and b of the depth a + b / distance along the face's axis; reach: radius of the filter, as part of a face
+// projects to (p, q) + l (t.xy - (p, q) t.z), and b likewise. Samples beyond the face are in its border.
+// depths: a and b of the depth a + b / distance along the face's axis; reach: radius of the filter, as part of a face
 FarolDisk farol_cubeDisk(const in vec3 region, const in float border, const in vec3 fromLight, const in vec2 depths,
   const in float reach) {
   vec3 size = abs(fromLight);
@@ -198,8 +198,8 @@ bool farol_isCube(const in FarolMask mask, const in bool isPoint) {
 #endif
 }
 
-// coordinates of a surface in a map (homogeneous, 0..1), or the vector from a point light to the surface (m, world
-// axes) toLight: from the surface to the light (view space, m)
+// coordinates of a surface in a map (homogeneous, 0..1), or vector from a point light to the surface (m, world)
+// toLight: from the surface to the light (view space, m)
 vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool isPoint, const in vec3 toLight,
   const in vec3 positionVS, const in vec3 shadowNormalVS) {
   vec3 shift = shadowNormalVS * mask.normalBias;
@@ -365,8 +365,8 @@ float farol_profileAt(const in int record, const in vec3 toLight) {
 }
 #endif
 
-// colour of a light that its mask lets through isPoint: the light is known to be a point light; receives: whether
-// shadows apply; else only the cookie
+// colour of a light that its mask lets through
+// isPoint: the light is known to be a point light; receives: whether shadows apply; else only the cookie
 vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 toLight, const in vec3 positionVS,
   const in vec3 shadowNormalVS, const in bool receives) {
   FarolMask mask = farol_readMask(record);

@@ -3,7 +3,7 @@ import { cookieShapes, FITS, MASK, maskRecord, RECORDS_PER_MASK, shadowLookups }
 import { maskRecordChunk } from './maskRecordChunk';
 import { packPlace } from './maskRecord';
 
-/** The value of a getter, which is the same in JavaScript but for `int()`. */
+/** The value of a GLSL getter, which is also JavaScript except for `int()`. */
 function read(name: keyof typeof maskRecord.place, z: number): unknown {
   const [, expression] = maskRecord.place[name] as readonly [string, string];
   return new Function('t', `return ${expression.replaceAll('int(', 'Math.trunc(')}`)({ z });

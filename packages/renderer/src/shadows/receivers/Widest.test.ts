@@ -1,7 +1,10 @@
 import { expect, it } from 'vitest';
 import { Widest } from './Widest';
 
-/** One frame: boxes are numbers here, and each that is greater than all before widens. @returns how many did that were not listed */
+/**
+ * One frame: boxes are numbers here, and each that is greater than all before widens.
+ * @returns number of widening boxes that were not listed
+ */
 function frame(widest: Widest, boxes: readonly number[]): number {
   let most = -Infinity;
   let others = 0;

@@ -1,5 +1,6 @@
 // Distance of the depths of a block of 4 × 4 pixels from a plane through the depths of the block's tile: a flat
-// surface's depth is linear over the picture. Farol
+// surface's depth is linear over the picture.
+// Farol
 #include "unproject"
 uniform highp sampler2D farol_gDepth;
 uniform highp vec2 farol_size;

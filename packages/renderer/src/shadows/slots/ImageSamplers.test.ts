@@ -7,7 +7,7 @@ function setUp(count: number) {
   const samplers = new ImageSamplers(count);
   const images = new Map<Texture, CookieSlot>();
   let frame = 0;
-  /** A frame in which lights throw images, in this order. */
+  /** A frame in which lights project images, in this order. */
   const light = (...thrown: CookieSlot[]) => {
     frame++;
     for (const image of thrown) {

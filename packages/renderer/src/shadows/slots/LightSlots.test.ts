@@ -14,7 +14,7 @@ function setUp() {
     cookie: ({ texture }) => released.push(texture),
   });
   let frame = 0;
-  /** One frame, in which lights are lit: those that cast shadows, and those that throw an image alone. */
+  /** One frame with lights that cast shadows, and lights that only project an image. */
   const light = (casting: SpotLight[], image: Texture | null = null, throwing: SpotLight[] = []) => {
     slots.begin(++frame);
     for (const one of [...casting, ...throwing]) if (one.parent === null) root.add(one);

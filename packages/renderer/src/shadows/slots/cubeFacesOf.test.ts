@@ -30,7 +30,7 @@ describe('cubeFacesOf', () => {
       const wider = next() * 0.2;
       const seen = cubeFacesOf(box, 0, makeReach(x, y, z, range, widening, wider));
       for (let point = 0; point < 20; point++) {
-        // the corners first, which decide
+        // the corners first, since they are the extremes
         const place = (axis: number) => (point < 8 ? ((point >> axis) & 1) * 2 - 1 : next() * 2 - 1);
         const direction = [x, y, z].map((from, axis) => box[axis] + place(axis) * (box[3 + axis] + wider) - from);
         if (Math.hypot(...direction) > range) continue;

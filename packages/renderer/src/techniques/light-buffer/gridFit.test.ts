@@ -2,7 +2,7 @@ import { Vector4 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { gridFit, gridShift, gridTexels } from './gridFit';
 
-/** Texel coordinate at which the buffer has what is at a pixel coordinate of the picture. */
+/** Texel coordinate in the buffer for a pixel coordinate of the picture. */
 function texelOf(pixel: number, pixels: number, scale: number): number {
   const { x, z } = gridFit(pixels, 1, scale, new Vector4());
   const device = ((pixel / pixels) * 2 - 1) * x + z;

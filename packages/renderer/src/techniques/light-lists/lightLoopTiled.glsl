@@ -1,5 +1,5 @@
-// Light loop over the lights that reach every pixel, then over the list of the pixel's tile. Olsson and Assarsson
-// 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering (bit lists)
+// Light loop over the lights that reach every pixel, then over the list of the pixel's tile.
+// Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering
 #include "addPoint"
 #include "lightTileLists"
 

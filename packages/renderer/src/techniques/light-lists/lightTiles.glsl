@@ -1,6 +1,6 @@
-// Texels of the light lists of the screen's tiles, and functions on their bits. Farol; a list has one bit for each
-// light, 128 lights a texel (a quad of words). The texels of one quad form a grid like the tiles on the screen, so
-// that neighbouring texels test similar lights; the grids of all quads lie side by side.
+// Texels of the light lists of the screen's tiles, and functions on their bits.
+// Farol; a list has one bit for each light, 128 lights a texel (a quad of words). The texels of one quad form a grid
+// like the screen's tiles, so that neighbours test similar lights; the grids of all quads lie side by side.
 //? farol_lowestBit(1u) == 0
 //? farol_lowestBit(2147483648u) == 31
 //? farol_lowestBit(40u) == 3

@@ -9,7 +9,7 @@ import { readLightsInRows } from './readLights';
 
 const left = { shadows: false, cookies: false, areas: false, all: false };
 
-/** As many as are read ahead of their use, and some that are not point lights. */
+/** A scene with enough lights to be read ahead, and some that are not point lights. */
 function makeScene(): { scene: Scene; lights: PointLight[]; group: Group } {
   const group = new Group();
   group.position.set(1, 2, 3);
@@ -24,7 +24,7 @@ function makeScene(): { scene: Scene; lights: PointLight[]; group: Group } {
 
 type Change = (lights: PointLight[], group: Group, scene: Scene) => void;
 
-/** Ways in which a host changes lights; each is applied to what the ones before have left. */
+/** Changes of lights by a host, applied one after another. */
 const changes: Record<string, Change> = {
   'all are moved': (lights) => lights.forEach(({ position }, i) => position.set(1 - i, i / 3, 1)),
   'nothing happens': () => undefined,
@@ -131,7 +131,7 @@ it('reads lights and makes their matrices as three does, whatever the host has c
     });
     ours.lights.forEach((light, i) => {
       const other = threes.lights[i];
-      // of a place that is no number three makes more that are none
+      // a NaN position makes three's matrices NaN too
       if (Number.isNaN(light.position.x)) return;
       expect(light.matrix.elements, `${name}: matrix of light ${i}`).toEqual(other.matrix.elements);
       expect(light.matrixWorld.elements, `${name}: world matrix of light ${i}`).toEqual(other.matrixWorld.elements);

@@ -1,5 +1,5 @@
-// Nearest and farthest distance of the surfaces in each tile, bits of the occupied slices among 32 between these, and
-// the largest gap. Harada 2012, A 2.5D Culling for Forward+
+// Nearest and farthest distance in each tile, bits of the occupied ones of 32 slices between, and the largest gap.
+// Harada 2012, A 2.5D Culling for Forward+
 #include "lightTiles"
 #include "unproject"
 uniform highp usampler2D farol_blocks;

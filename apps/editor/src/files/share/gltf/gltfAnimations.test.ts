@@ -304,7 +304,7 @@ describe("clips of one's own", () => {
     expect(floats(weights.values)).toEqual(Float32Array.of(0, 0.25, 1, 0.25, 1, 0.25));
     expect(await animationsOf((await export_(await sceneOf(first.blob))).blob)).toEqual(out);
 
-    // steps and lines of two targets are exact; curves are sampled and reported
+    // steps and lines of two targets are exact; curves are sampled, and this is reported
     clip(morph(0, keys([0, 0], [2, 1])), morph(1, keys([0, 0, { easing: 'step' }], [1, 1], [2, 1])));
     const steps = await export_(scene);
     const [both] = (await animationsOf(steps.blob)).Grin;

@@ -12,7 +12,7 @@ it('meshes whose vertices are on the GPU alone are named as left out of a file',
   const object = new GameObject('Case');
   object.addComponent(ObjectRenderer, { mesh: 'case' });
   scene.add(object);
-  // as a script may do, once three has uploaded the array
+  // as a script may, after three has uploaded the array
   for (const attribute of Object.values(object.getComponent(ObjectRenderer)!.geometry!.attributes))
     (attribute as { array: unknown }).array = null;
   const { leftOut } = await exportInTest(scene);

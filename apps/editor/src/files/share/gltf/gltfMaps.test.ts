@@ -25,13 +25,13 @@ afterAll(() => void vi.unstubAllGlobals());
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** How glTF holds a map: its meaningful channels, and material values that the extension needs to be written. */
+/** Representation of a map in glTF: its used channels, and material values that the extension needs. */
 interface Held {
   readonly channels: string;
   readonly needs?: Values;
 }
 
-/** How glTF holds each map of three's MeshPhysicalMaterial, or why it does not. */
+/** Representation of each map of three's MeshPhysicalMaterial in glTF, or the reason why there is none. */
 const table: Readonly<Record<string, Held | string>> = {
   map: { channels: 'rgba' },
   emissiveMap: { channels: 'rgb', needs: { emissive: [1, 1, 1] } },
@@ -66,7 +66,7 @@ const notHeld = Object.entries(table).flatMap(([property, row]) => (typeof row =
 const fieldOf = (property: string): MaterialMapName | undefined =>
   materialMapNames.find((name) => materialMaps[name].property === property);
 
-/** UV placement in which every value differs from the default. */
+/** UV placement whose values all differ from the defaults. */
 const place: Values = {
   OffsetX: 0.25,
   OffsetY: 0.5,

@@ -30,8 +30,8 @@ const bind = <K extends keyof Arrangement>(
 const kinds = (): { value: ArrangementKind; label: string; help: string }[] => [
   { value: 'line', label: t('Along a line'), help: t('One after another, equally far apart') },
   { value: 'ring', label: t('On a ring'), help: t('Round where the original is') },
-  { value: 'grid', label: t('On a grid'), help: t('In rows, one above another if wanted') },
-  { value: 'scatter', label: t('Over a surface'), help: t('At random, evenly over what is drawn') },
+  { value: 'grid', label: t('On a grid'), help: t('In rows, and in layers if wanted') },
+  { value: 'scatter', label: t('Over a surface'), help: t('At random, evenly over a surface') },
 ];
 
 const colours = (): { value: LightColours; label: string }[] => [

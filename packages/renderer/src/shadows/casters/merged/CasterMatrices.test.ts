@@ -2,7 +2,7 @@ import { Euler, Matrix4, Quaternion, Vector3, type WebGLRenderer } from 'three';
 import { expect, it } from 'vitest';
 import { CasterMatrices } from './CasterMatrices';
 
-/** A renderer whose one uniform buffer is an array, and which counts the floats that are sent to it. */
+/** A renderer with one uniform buffer, kept as an array, that counts the floats uploaded to it. */
 function bufferedRenderer() {
   const found = { buffer: new Float32Array(0), sent: 0 };
   const gl = {

@@ -21,7 +21,7 @@ import { MergedCasters } from './MergedCasters';
 setFlagsFromString('--expose_gc');
 const collect = runInNewContext('gc') as () => void;
 
-/** As far as casters are merged without being drawn. */
+/** The parts of a WebGLRenderer that merging, without draws, uses. */
 const webgl = {
   getContext: () => ({ MAX_UNIFORM_BUFFER_BINDINGS: 0, MAX_UNIFORM_BLOCK_SIZE: 1, getParameter: () => 65_536 }),
 } as unknown as WebGLRenderer;
@@ -30,7 +30,7 @@ const registry = new MicroShaderRegistry();
 registry.add(builtinMicroShaders);
 addMicroShaders(registry, 'shadows', { mergedCaster, mergedCasterDepth });
 
-/** A scene of casters, and what merges them. */
+/** A scene of casters, and the MergedCasters that merges them. */
 class Bench {
   readonly root = new Group();
   readonly merged = new MergedCasters(webgl, registry);
@@ -52,7 +52,7 @@ class Bench {
     this.merged.begin(this.camera, this.casters, this.loose);
   }
 
-  /** Vertices and indices that the buffers have room for, and those buffers. */
+  /** Number of vertices and indices that fit in the buffers, and number of pages. */
   get room(): { vertices: number; pages: number } {
     const proxies: Mesh[] = [];
     this.merged.addProxies(proxies);
@@ -80,14 +80,14 @@ it.each([
   for (let i = 0; i < 50; i++) edit();
   const before = bench.room;
   for (let i = 0; i < 450; i++) edit();
-  // references are let go between tasks
+  // weak references are cleared only between tasks
   await new Promise((resolve) => setImmediate(resolve));
   collect();
   const alive = gone.filter((each) => each.deref() !== undefined).length;
   expect(alive).toBeLessThan(100);
   expect(bench.room.vertices).toBeLessThanOrEqual(2 * before.vertices);
   expect(bench.room.pages).toBeLessThanOrEqual(before.pages + 1);
-  // what is there is merged all the same
+  // the remaining casters are still merged
   bench.draw();
   expect(bench.loose).toEqual([]);
 });

@@ -14,7 +14,7 @@ function random(seed: number): () => number {
   return () => (state = (state * 16807) % 2147483647) / 2147483647;
 }
 
-/** As many boxes in a row that wanders, the last of them of one triangle. */
+/** `count` boxes along a random path, the last with one triangle. */
 function makeClusters(count: number, next: () => number) {
   const boxes = new Float64Array(count * 6);
   const place = [0, 1, 2].map(() => next() * 8 - 4);

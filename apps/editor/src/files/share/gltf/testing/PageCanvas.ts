@@ -29,7 +29,7 @@ export class PageCanvas {
     return (this.pixels ??= new Uint8ClampedArray(this.width * this.height * 4));
   }
 
-  /** @throws RangeError for an image of another size, which a real canvas would scale */
+  /** Copies an image. @throws RangeError for another size, which a real canvas would scale */
   drawImage(picture: Pixels): void {
     if (picture.width !== this.width || picture.height !== this.height) throw new RangeError('Of another size.');
     this.data.set(picture.data);
