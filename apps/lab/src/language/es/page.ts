@@ -272,6 +272,8 @@ export const page: Texts = {
   'Ten lights more': 'Diez luces más',
   'Technique changed': 'Técnica cambiada',
   Rasteriser: 'Rasterizador',
+  '{count} plane': '{count} plano',
+  '{count} planes': '{count} planos',
   'N × N planes, M × M lights': 'N × N planos, M × M luces',
   'Sponza (here: atrium)': 'Sponza (aquí: atrio)',
   Dark: 'Oscuro',

@@ -15,7 +15,7 @@ import { POINT, POINTS, surfacePoints } from './surfacePoints';
 /** Maximum number of cells along a side of the picture, and smallest mean number of parts in a cell. */
 const MOST_CELLS = 8;
 const POINTS_A_CELL = 16;
-/** Number of frames from one estimate to the next, and of those before one in which new items' points are found. */
+/** Number of frames from one estimate to the next, and of the frames just before it over which items' points are computed. */
 const INTERVAL = 64;
 const AHEAD = 8;
 /** Number of opaque items beyond which nothing is estimated, since the CPU then takes longer than the GPU. */
@@ -47,9 +47,9 @@ const areas = new Float64Array(MOST_PARTS);
 const keys = new Float64Array(MOST_PARTS);
 /** First item of each run, in the order in which they are drawn; empty between estimates. */
 const runs: RenderItem[] = [];
-/** First run of the same material, of each run. */
+/** Index of the first run with the same material, for each run. */
 const firsts = new Uint8Array(MOST_RUNS);
-/** Waste (cells) of drawing a material before the others that have no rank yet, at its first run. */
+/** Shading wasted (cells) if a material is drawn before the others without a rank, at the index of its first run. */
 const wastes = new Float64Array(MOST_RUNS);
 /** Share of each cell that the nearer parts of each run cover, 0 to 1. */
 const front = new Float64Array(MOST_CELLS * MOST_CELLS * MOST_RUNS);
@@ -70,7 +70,7 @@ export class Overdraw {
   private frames = 0;
   private parts = 0;
 
-  /** Counts a drawn frame, and estimates anew in every 64th. */
+  /** Counts a drawn frame, and makes an estimate in every 64th. */
   follow({ camera, queue: { opaque } }: EstimatedFrame): void {
     const frame = this.frames++ % INTERVAL;
     const isFew = opaque.length <= MOST_ITEMS;
@@ -184,7 +184,7 @@ export class Overdraw {
   }
 }
 
-/** Adds, times a sign, the waste of each other material if it comes before a run, less that of the run before it. */
+/** Adds to `wastes`, times `sign`: shading wasted if each run's material is drawn before `run`, less that of the reverse order. */
 function addWastes(run: number, sign: number): void {
   for (let other = 0; other < runs.length; other++) {
     if (!isBeside(runs[run], runs[other])) continue;
