@@ -16,6 +16,8 @@ export interface ScriptFailure extends ScriptPlace {
   /** Type of the component that threw. */
   readonly component: string;
   readonly object: string;
+  /** Text of the script. */
+  readonly source: unknown;
 }
 
 /**
@@ -50,8 +52,6 @@ export class DocumentScripts {
   private current: SceneScripts | null = null;
   private isWanted = true;
   private failed: ReadonlyMap<string, ScriptFailure> = NONE;
-  /** Text that each failure's script had when it threw. */
-  private readonly textOf = new WeakMap<ScriptFailure, unknown>();
   private endWatch: () => void = () => {};
   /** Pending while the script compiler and modules are being fetched. */
   private starting: Promise<void> | null = null;
@@ -169,10 +169,10 @@ export class DocumentScripts {
     const failure: ScriptFailure = {
       ...place,
       message: error instanceof Error ? error.message : String(error),
+      source: this.sourceOf(place.script),
       component: component.typeName,
       object: component.isAttached ? component.gameObject.name : '',
     };
-    this.textOf.set(failure, this.sourceOf(place.script));
     this.failed = new Map([...this.failed, [place.script, failure]]);
     this.changed.emit();
     return failure;
@@ -205,7 +205,7 @@ export class DocumentScripts {
   private start(options: SceneScriptsOptions): void {
     this.current = new SceneScripts(this.scene!, this.registry!, { ...options, isOn: this.isWanted });
     this.current.onChange(() => {
-      const kept = [...this.failed].filter(([script, failure]) => this.textOf.get(failure) === this.sourceOf(script));
+      const kept = [...this.failed].filter(([script, { source }]) => source === this.sourceOf(script));
       if (kept.length < this.failed.size) this.failed = new Map(kept);
       this.changed.emit();
     });

@@ -5,7 +5,9 @@ import { serialize } from '@farol/engine/files';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { addObject, deleteObjects, moveObjects } from './edits';
 import { EditorDocument } from './EditorDocument';
-import { addScript } from './scriptEdits';
+import { RemoveAsset } from './commands/AddAssets';
+import { addScript, renameScript } from './scriptEdits';
+import { scriptTemplate } from './scriptTemplate';
 import { scriptsInNode } from './testing/scriptsInNode';
 
 /** Writes a field of its own and one of another component while it is simulated. */
@@ -212,6 +214,25 @@ export default class Worker extends component({}) {
     expect(house.getComponent('Worker')).not.toHaveProperty('calls');
     expect(commands.history).toEqual(['Edited script']);
     expect(document.playEdits.changes.map(({ name }) => name)).toEqual(['position']);
+    commands.undo();
+    expect(state()).toBe(before);
+  });
+
+  it('of scripts that need others of the play are undone with them: one that was renamed and deleted', async () => {
+    document = new EditorDocument(undefined, undefined, scriptsInNode());
+    const { scene, scripts, commands, simulation, assets, playEdits } = document;
+    assets.addFieldAsset('script', 'Worker', { source: scriptTemplate('Worker') });
+    await scripts.settled();
+    const before = state();
+    simulation.play();
+    commands.run(renameScript(scene, 'Worker', 'Idler'));
+    commands.run(new RemoveAsset(assets, 'Idler'));
+    simulation.stop();
+    expect(simulation.state).toBe('stopped');
+    expect(state()).toBe(before);
+    expect(playEdits.others).toEqual(['Renamed Worker to Idler', 'Deleted Idler']);
+    playEdits.keepAll();
+    expect(assets.fieldAssets('script')).toEqual([]);
     commands.undo();
     expect(state()).toBe(before);
   });

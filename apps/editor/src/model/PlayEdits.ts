@@ -87,8 +87,7 @@ export class PlayEdits {
     const taken = commands.release(() => (isWhole = false));
     reset();
     this.takeAssets();
-    const others = taken.filter((command) => !isOfScripts(command));
-    for (const command of taken) if (isOfScripts(command)) commands.run(command);
+    const others = taken.filter((command) => !isOfScripts(command) || !this.runAgain(command));
     this.all = isWhole ? others.map(asNew) : [];
     if (!isWhole) for (const command of others) command.forget?.(false);
     this.last = commands.last;
@@ -124,6 +123,16 @@ export class PlayEdits {
     this.dropAll();
     this.values = [];
     this.changed.emit();
+  }
+
+  /** Runs an undone step again. @returns false when it needs another step that stays undone, such as a new name */
+  private runAgain(command: Command): boolean {
+    try {
+      this.document.commands.run(command);
+      return true;
+    } catch {
+      return false;
+    }
   }
 
   /** Removes the assets that components and scripts registered while the scene played; edits must be undone already. */

@@ -8,7 +8,15 @@ const types: ScriptDiagnostic = {
 };
 
 it('lists what a script threw, why it cannot run, and errors of types; of one line what TypeScript says', () => {
-  const thrown = { script: 'Spin', line: 7, column: 1, message: 'x is null', component: 'Spin', object: 'Lamp' };
+  const thrown = {
+    script: 'Spin',
+    line: 7,
+    column: 1,
+    message: 'x is null',
+    component: 'Spin',
+    object: 'Lamp',
+    source: '',
+  };
   const failures = new Map([['Spin', thrown]]);
   const errors = new Map([['Spin', new ScriptError('Spin', 'it exports no class.', 2)]]);
   expect(problemsOf('Spin', { errors, failures }, [types])).toEqual([
