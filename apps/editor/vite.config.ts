@@ -66,6 +66,7 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/MTLLoader.js',
       'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
+      'three/addons/math/MeshSurfaceSampler.js',
       'mediabunny',
       'postprocessing',
       '@farol/bake > three-mesh-bvh',

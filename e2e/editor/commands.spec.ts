@@ -40,9 +40,13 @@ test('the palette finds what can be done, and does it', async ({ page }) => {
     .poll(() => page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name)))
     .toEqual(['Sun']);
   await expect(search).toHaveCount(0);
+  const sun = page.getByRole('treeitem', { name: 'Sun' });
+  await sun.click();
   await page.keyboard.press('Control+k');
+  await expect(search).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(search).toHaveCount(0);
+  await expect(sun).toBeFocused();
 });
 
 own('keys are chosen anew, clashes are told, and all of it is remembered and reset', async ({ page }) => {

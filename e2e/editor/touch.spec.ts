@@ -140,6 +140,17 @@ test('buttons of a headset lie clear of the others, and are read, in a page that
   await expect.poll(unread).toEqual([]);
 });
 
+test('Stop ends the session of a headset in which the scene plays @verify', async ({ page }) => {
+  await addHeadset(page);
+  await openEditor(page, 'empty');
+  const isShown = () => page.evaluate(() => window.editor.viewport.picture.inXR);
+  await page.getByRole('button', { name: 'Play', exact: true }).tap();
+  await page.getByRole('button', { name: 'Enter VR' }).tap();
+  await expect.poll(isShown).toBe(true);
+  await page.getByRole('button', { name: 'Stop, and put everything back' }).dispatchEvent('click');
+  await expect.poll(isShown).toBe(false);
+});
+
 test('fingers place a lamp, move it and colour it', async ({ page }) => {
   await openEditor(page, 'empty');
   await page.getByRole('button', { name: 'Add', exact: true }).tap();

@@ -12,6 +12,14 @@ declare global {
 
 /** Opens a scene with an XRRig and a Grabbable, and enters a session by its button. */
 async function enter(page: Page, pagesURL: string): Promise<void> {
+  await open(page, pagesURL);
+  await page.getByRole('button', { name: 'Enter VR' }).dispatchEvent('click');
+  await page.waitForFunction(() => window.inXR.app.webgl.xr.isPresenting);
+  await page.waitForFunction(() => window.inXR.app.renderer.info.technique === 'clustered-forward');
+}
+
+/** Opens the scene and waits for its buttons. */
+async function open(page: Page, pagesURL: string): Promise<void> {
   await page.goto(`${pagesURL}xr.html`);
   await page.waitForFunction(() => 'xrPage' in window);
   await page.evaluate(async () => {
@@ -51,9 +59,6 @@ async function enter(page: Page, pagesURL: string): Promise<void> {
     );
   });
   await expect(page.getByRole('button')).toHaveText(['Enter VR', 'Enter AR']);
-  await page.getByRole('button', { name: 'Enter VR' }).dispatchEvent('click');
-  await page.waitForFunction(() => window.inXR.app.webgl.xr.isPresenting);
-  await page.waitForFunction(() => window.inXR.app.renderer.info.technique === 'clustered-forward');
 }
 
 const rigPlace = (page: Page) => page.evaluate(() => window.inXR.rig.object3D.position.toArray());
@@ -134,4 +139,40 @@ test('a hand takes what is near, carries it and lets go of it', async ({ page, p
   await stick(page, 'left', 0, 1);
   await expect.poll(async () => (await rigPlace(page))[2]).toBeGreaterThan(0.3);
   expect(await place()).toEqual(held);
+});
+
+test('a session shows the scene that takes the place of its first one, and ends with the App @verify', async ({
+  page,
+  pagesURL,
+}) => {
+  await enter(page, pagesURL);
+  await page.evaluate(async () => {
+    const { GameObject, Scene, XRRig } = await window.xrPage.engine();
+    const { app } = window.inXR;
+    const scene = new Scene();
+    const rig = new GameObject('rig');
+    scene.add(rig);
+    rig.addComponent(XRRig, {});
+    app.scene.dispose();
+    app.scene = scene;
+    window.inXR.rig = rig;
+  });
+  await stick(page, 'left', 0, -1);
+  await expect.poll(async () => (await rigPlace(page))[2]).toBeLessThan(-0.2);
+  await page.evaluate(() => window.inXR.app.dispose());
+  await expect.poll(() => page.evaluate(() => window.inXR.app.webgl.xr.isPresenting)).toBe(false);
+  const left = await page.evaluate(() => [window.inXR.app.running, window.inXR.rig.object3D.children.length]);
+  expect(left).toEqual([false, 0]);
+});
+
+test('a session that cannot draw ends, with the reason, and the page goes on @verify', async ({ page, pagesURL }) => {
+  await open(page, pagesURL);
+  await page.evaluate(() => {
+    const gl = window.inXR.app.webgl.getContext() as WebGL2RenderingContext;
+    gl.makeXRCompatible = () => Promise.reject(new Error('no headset at this GPU'));
+  });
+  await page.getByRole('button', { name: 'Enter VR' }).dispatchEvent('click');
+  await expect.poll(() => page.evaluate(() => window.inXR.errors)).toEqual(['no headset at this GPU']);
+  const after = await page.evaluate(() => [window.inXR.app.running, window.inXR.app.webgl.xr.enabled]);
+  expect(after).toEqual([true, false]);
 });

@@ -53,6 +53,14 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
+test('the icons of the bar are seen in forced colours @verify', async ({ page, site }) => {
+  await page.emulateMedia({ forcedColors: 'active', colorScheme: 'light' });
+  await page.setViewportSize({ width: 390, height: 800 });
+  await page.goto(site);
+  for (const icon of ['.VPNavBarHamburger .top', '.DocSearch-Search-Icon'])
+    await expect(page.locator(icon)).toHaveCSS('background-color', 'rgb(0, 0, 0)');
+});
+
 test.describe('on a desk', () => {
   test.use({ viewport: { width: 1440, height: 900 } });
 

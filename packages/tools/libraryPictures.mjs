@@ -6,13 +6,10 @@
  *     node packages/tools/libraryPictures.mjs torch tree
  *     node packages/tools/libraryPictures.mjs material
  */
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
-import { softwareFlags } from './browserFlags.mjs';
-import { ensureBrowser } from './ensureBrowser.mjs';
+import { savePicture, withEditor } from './editorPictures.mjs';
 import { root } from './root.mjs';
-import { serveApps } from './serveApps.mjs';
 
 /** Width and height of a picture (pixels); it is drawn at three times that. */
 const SIZE = 128;
@@ -20,12 +17,11 @@ const SIZE = 128;
 const QUALITY = 0.8;
 
 /**
- * Runs in the page: puts an item before a grey wall, on a floor, at dusk, and draws it from the right and above.
+ * Runs in the page: puts an item before a grey wall, on a floor, at dusk, and looks at it from the right and above.
  *
- * @param {[id: string, group: string, size: number, quality: number]} given
- * @returns {Promise<string>} address with the picture's data
+ * @param {[id: string, group: string]} given
  */
-async function drawItem([id, group, size, quality]) {
+async function showItem([id, group]) {
   const { editor } = /** @type {any} */ (window);
   // addresses of the sources, which the server gives
   const [place, make, bounds] = await Promise.all(
@@ -98,31 +94,12 @@ async function drawItem([id, group, size, quality]) {
   const position = target.map((each, i) => each + way[i] * distance);
   editor.viewport.editorCamera.show({ position, target, fov, orthographic: false }, false);
   await new Promise((resolve) => setTimeout(resolve, 1500));
-  editor.viewport.renderNow();
-  const { canvas } = editor.viewport;
-  const side = Math.min(canvas.width, canvas.height);
-  const picture = document.createElement('canvas');
-  picture.width = picture.height = size;
-  const context = picture.getContext('2d');
-  if (!context) throw new Error('The browser has no 2D canvas.');
-  context.imageSmoothingQuality = 'high';
-  const [x, y] = [(canvas.width - side) / 2, (canvas.height - side) / 2];
-  context.drawImage(canvas, x, y, side, side, 0, 0, size, size);
-  return picture.toDataURL('image/webp', quality);
 }
 
 const folder = join(root, 'public/library');
 mkdirSync(folder, { recursive: true });
-const server = await serveApps({ ports: { editor: 0 }, watch: false });
-const browser = await chromium.launch({ executablePath: ensureBrowser(), args: [...softwareFlags] });
-let bytesInAll = 0;
-try {
-  const page = await browser.newPage({ viewport: { width: 900, height: 700 } });
-  page.setDefaultTimeout(180_000);
-  page.on('pageerror', (error) => console.log(`page error: ${error.message}`));
-  await page.goto(`${server.urls.editor}?scene=empty&welcome=no`);
-  await page.waitForFunction('window.editor');
-  await page.evaluate('window.editor.ready');
+let bytes = 0;
+await withEditor('scene=empty&welcome=no', { width: 900, height: 700 }, async (page) => {
   await page.evaluate(() => {
     const { editor } = /** @type {any} */ (window);
     editor.layout.maximise('viewport');
@@ -136,16 +113,8 @@ try {
     if (picture === null) continue;
     const name = picture.slice(picture.lastIndexOf('/') + 1);
     if (wanted.length > 0 && !wanted.includes(id) && !wanted.includes(group)) continue;
-    const data = /** @type {string} */ (
-      await page.evaluate(drawItem, /** @type {[string, string, number, number]} */ ([id, group, SIZE, QUALITY]))
-    );
-    const bytes = Buffer.from(data.slice(data.indexOf(',') + 1), 'base64');
-    writeFileSync(join(folder, name), bytes);
-    bytesInAll += bytes.length;
-    console.log(`${name}: ${(bytes.length / 1000).toFixed(1)} kB`);
+    await page.evaluate(showItem, /** @type {[string, string]} */ ([id, group]));
+    bytes += await savePicture(page, join(folder, name), { width: SIZE, height: SIZE, quality: QUALITY });
   }
-  console.log(`${(bytesInAll / 1000).toFixed(0)} kB in all`);
-} finally {
-  await browser.close();
-  await server.close();
-}
+});
+console.log(`${(bytes / 1000).toFixed(0)} kB in all`);

@@ -19,6 +19,8 @@ import { libraryMaterials } from './model/library/materials';
 import { libraryNames } from './model/library/names';
 import { libraryTags } from './model/library/tags';
 import { panels } from './panels';
+import { groupOf } from './panels/palette/paletteItems';
+import { registerSceneAssets } from './files/sampleMeshes';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
 const below = (...folders: string[]): [string, string][] =>
@@ -101,6 +103,7 @@ function libraryTexts(): string[] {
 /** Texts that the editor may look up besides those of entries. */
 function otherTexts(): string[] {
   const scene = new Scene();
+  registerSceneAssets(scene.assets);
   const ofEffects = new Set(Object.keys(effectFields));
   const settings = Object.entries(scene.settings.fields).filter(([name]) => !ofEffects.has(name));
   const ownFiles = new Set([...builtinComponents.types.keys()].map((name) => `${componentFolder}/${name}.ts`));
@@ -109,7 +112,11 @@ function otherTexts(): string[] {
   const ofEntries = new Set(effectEntries.map(([, { label }]) => label));
   return [
     ...editor.filter(([path]) => !isOfPanel(path)).flatMap(([path, source]) => textsOf(path, source).texts),
-    ...actions.flatMap(({ label, menu }) => [typeof label === 'string' ? label : '', menu?.submenu ?? '']),
+    ...actions.flatMap(({ id, label, menu }) => [
+      groupOf(id),
+      typeof label === 'string' ? label : '',
+      menu?.submenu ?? '',
+    ]),
     ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...Object.values(samples).map(({ help }) => help),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),

@@ -1,7 +1,13 @@
-const done = <T>(request: IDBRequest<T>): Promise<T> =>
+/** Error of a request or transaction of IndexedDB. */
+export const refused = (error: DOMException | null | undefined): Error =>
+  error ?? new Error('The browser refused to store data.');
+
+/** Result of a request of IndexedDB. */
+export const done = <T>(request: IDBRequest<T>): Promise<T> =>
   new Promise((resolve, reject) => {
     request.addEventListener('success', () => resolve(request.result));
-    request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store data.')));
+    request.addEventListener('error', () => reject(refused(request.error)));
+    request.addEventListener('blocked', () => reject(new Error('Another tab blocks the storage: close that tab.')));
   });
 
 /** Records of a database in the browser, each with an `id`. All functions reject when the browser has no storage. */

@@ -98,6 +98,9 @@ export class Dialogs {
   /** Text typed while the code of the opened palette was being fetched. */
   typed = '';
 
+  /** Element that had the focus when the first of the dialogs opened, which gets it back; null in Node. */
+  before: Element | null = null;
+
   private request: DialogRequest | null = null;
   private answer: (agreed: boolean) => void = () => {};
 
@@ -107,6 +110,7 @@ export class Dialogs {
 
   /** Shows a dialog in place of the open one. @returns whether the user agreed */
   show(request: DialogRequest): Promise<boolean> {
+    if (!this.request) this.before = globalThis.document?.activeElement ?? null;
     this.close(false);
     this.request = request;
     this.typed = '';

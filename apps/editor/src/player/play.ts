@@ -113,7 +113,7 @@ async function addXR(app: App, other: Partial<XRStage> = {}): Promise<void> {
   await addXRButtons(
     place,
     labels,
-    () => ({ ...stageOf(app), ...other }),
+    () => Object.assign(stageOf(app), other),
     ({ message }) => say(message),
   );
 }

@@ -37,6 +37,7 @@ function allTexts(): string[] {
     ...Object.values(sceneWords).flatMap(({ label, help }) => [label, help]),
     ...[lightKinds, shadings, axisWords, metricWords].flatMap(words),
     ...['Farol’s techniques', 'Other engines', 'System', 'Light##theme', 'Dark', 'Custom', 'other passes'],
+    'A software rasteriser draws here, on the processor: its figures say little about graphics cards.',
     ...['First frame', 'Ten lights more', 'Technique changed', 'Rasteriser'],
     ...['light', 'object', 'pixel', 'layer', 'shadowed light', 'kinds of lights', 'shadings'],
     ...columnsOf([]).flatMap(({ label, help }) => [label, help]),

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { type LabCase, type LabPlan, type LabSeries, plainCase } from '../plan/LabPlan';
 import { lightKindNames, shadingNames } from '../plan/lightKinds';
 import {
@@ -171,7 +172,7 @@ export function parseRun(source: string): LabRun {
     value = JSON.parse(source);
   } catch (error) {
     const why = error instanceof Error ? error.message.replaceAll(/\s+/g, ' ').slice(0, 120) : '';
-    throw new FormatError(`The file is not JSON (${why}): choose a run that the Lab exported as JSON.`);
+    throw new FormatError(t('The file is not JSON ({why}): choose a run that the Lab exported as JSON.', { why }));
   }
   return readRun(value);
 }
@@ -195,7 +196,7 @@ function checkFormat(value: unknown): void {
   >;
   if (format !== 'farol-lab-run') {
     throw new FormatError(
-      'This is not a run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").',
+      t('This is not a run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").'),
     );
   }
   if (typeof version === 'number' && version > LAB_RUN_VERSION) {

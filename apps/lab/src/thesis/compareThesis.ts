@@ -1,6 +1,7 @@
+import { tCount } from '@farol/editing';
 import type { LabCase } from '../plan/LabPlan';
 import type { LabRun, Metric } from '../results/LabRun';
-import { formatNumber } from '../words/format';
+import { valueText } from '../words/names';
 import { type Entry, entriesOf } from '../words/rowsOf';
 import { casesOf, type SeriesCase } from '../words/seriesCases';
 import { thesis2015, type ThesisRow } from './thesis2015';
@@ -39,8 +40,8 @@ function isCaseOf({ scene, lights, shadows, overdraw, ...matter }: LabCase, row:
 }
 
 function labelOf({ planes, lights }: ThesisRow): string {
-  const light = `${formatNumber(lights)} ${lights === 1 ? 'light' : 'lights'}`;
-  return planes === 0 ? light : `${formatNumber(planes)} ${planes === 1 ? 'plane' : 'planes'}, ${light}`;
+  const light = valueText('lights', lights);
+  return planes === 0 ? light : `${tCount(planes, '{count} plane', '{count} planes')}, ${light}`;
 }
 
 /** A competitor's time in a row; undefined without one. */

@@ -1,4 +1,6 @@
+import { setTexts } from '@farol/editing';
 import { expect, test } from 'vitest';
+import { es } from '../language/es';
 import { sampleRun } from '../charts/testing/sampleRuns';
 import { exactly } from '../words/testing/madeUpRun';
 import { compareThesis } from './compareThesis';
@@ -13,6 +15,14 @@ test('the tables have 21 rows, and the thesis preset has a case for each', () =>
   expect(pairs.filter(({ of }) => of === null)).toEqual([]);
   const cases = pairs.map(({ of }) => `${of!.series.name} ${of!.index}`);
   expect(new Set(cases).size).toBe(21);
+});
+
+test('rows are named in the language that is shown', () => {
+  setTexts(es, 'es');
+  const labels = compareThesis(sampleRun({ preset: 'thesis' }), 'frame').map(({ label }) => label);
+  setTexts({});
+  expect(labels).toContain('1 plano, 4 luces');
+  expect(labels.filter((label) => /light|plane/.test(label))).toEqual([]);
 });
 
 test('shadows and layers are no rows of the thesis', () => {

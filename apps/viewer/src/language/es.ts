@@ -23,6 +23,8 @@ export const es: Texts = {
   'nothing that is a file': 'nada que sea un archivo',
   'there is no .glb, .gltf, .obj, .stl or .ply among {names}: choose one.':
     'no había ningún .glb, .gltf, .obj, .stl ni .ply entre {names}: hay que elegir uno.',
+  'the browser cannot read it: it has more than 2 GB, or it was moved or changed; choose it again.':
+    'el navegador no lo puede leer: pasa de 2 GB, o se movió o cambió; hay que elegirlo de nuevo.',
   'it needs {names}: drop the whole folder, or all of its files together.':
     'necesita {names}: hay que soltar la carpeta entera, o todos sus archivos a la vez.',
   '{name}: its scene has no mesh, so there is nothing to see: choose another file.':

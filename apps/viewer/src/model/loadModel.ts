@@ -37,9 +37,12 @@ export async function loadModel(given: FileMap, renderer: WebGLRenderer, signal?
     return await (/\.(glb|gltf)$/i.test(path) ? loadGltf : loadMesh)(files, path, renderer, signal);
   } catch (error) {
     signal?.throwIfAborted();
-    throw new Error(`${shortText(path, 80)}: ${error instanceof Error ? error.message : String(error)}`, {
-      cause: error,
-    });
+    const { name, message } = error instanceof Error ? error : { name: '', message: String(error) };
+    const why =
+      name === 'NotReadableError'
+        ? t('the browser cannot read it: it has more than 2 GB, or it was moved or changed; choose it again.')
+        : message;
+    throw new Error(`${shortText(path, 80)}: ${why}`, { cause: error });
   }
 }
 

@@ -60,6 +60,15 @@ describe('the files of a model', () => {
   });
 });
 
+it('names the mend for a file that the browser cannot read', async () => {
+  const huge = new File([], 'huge.glb');
+  huge.arrayBuffer = async () => {
+    throw new DOMException('typically due to permission problems', 'NotReadableError');
+  };
+  const message = loadModel(new Map([['huge.glb', huge]]), {} as WebGLRenderer);
+  await expect(message).rejects.toThrow('huge.glb: the browser cannot read it: it has more than 2 GB');
+});
+
 it('tells little of files with long names, and of what a model names', async () => {
   const long = 'x'.repeat(100_000);
   const gltf = JSON.stringify({ asset: { version: '2.0' }, buffers: [{ uri: `${long}.bin`, byteLength: 4 }] });

@@ -116,7 +116,7 @@ export class App {
 
   /** Starts the loop: each display frame updates the scene and draws it. While an XR session presents, the session draws. */
   start(): void {
-    if (this.running || this.picture.inXR) return;
+    if (this.running || this.isDisposed || this.picture.inXR) return;
     this.lastFrame = 0;
     this.request = requestAnimationFrame(this.frame);
   }
@@ -221,6 +221,7 @@ export class App {
     this.isDisposed = true;
     this.sizes?.disconnect();
     this.stop();
+    if (this.picture.inXR) void this.webgl.xr.getSession()?.end();
     this.input.dispose();
     this.listeners.clear();
     this.unwatch();

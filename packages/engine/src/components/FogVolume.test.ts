@@ -3,8 +3,7 @@ import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
-import { fogCode } from './fogCode';
-import { FogVolume } from './FogVolume';
+import { fogCode, FogVolume } from './FogVolume';
 
 function volumeIn(scene: Scene, values: Parameters<GameObject['addComponent']>[1] = {}): FogVolume {
   const object = new GameObject('Mist');

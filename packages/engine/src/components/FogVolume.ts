@@ -1,9 +1,15 @@
 import { choice, colour, number, vector3 } from '@farol/editing/fields';
 import type { FogVolume as ThreeVolume } from '@farol/renderer/volumetric-fog';
+import { LateCode } from '../base/LateCode';
 import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { Scene } from '../core/Scene';
-import { fogCode } from './fogCode';
+
+/** @internal The renderer's code of fog, which most scenes do not need. */
+export const fogCode = new LateCode(
+  () => import('@farol/renderer/volumetric-fog'),
+  'The code of fog could not be fetched: see that the network is there, and add one again.',
+);
 
 /**
  * Fog in a box or ball around the GameObject, added to that of the scene: `FogVolume` of

@@ -80,6 +80,6 @@ export interface FarolEffect {
   warmUp?(frame: Frame): void;
   /** Forgets data of earlier frames. */
   reset?(): void;
-  /** Frees the GPU resources; a later frame makes them anew. */
+  /** Frees the GPU resources; a later frame creates them again. */
   dispose(): void;
 }

@@ -20,6 +20,6 @@ export interface Pass extends ResourceUser {
   isIdle?(frame: Frame): boolean;
   /** Bytes of the targets that the pass holds. */
   readonly bytes: number;
-  /** Frees targets and programs; `render` makes them anew. */
+  /** Frees targets and programs; `render` creates them again. */
   dispose(): void;
 }

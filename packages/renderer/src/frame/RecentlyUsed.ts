@@ -1,6 +1,6 @@
 /** Time for which an unused object is kept while others are used (ms). */
 const KEPT = 2000;
-/** Maximum number of objects kept beside the one in use. */
+/** Maximum number of objects kept besides the one in use. */
 const MOST = 3;
 
 /**

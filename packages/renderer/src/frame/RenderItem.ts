@@ -16,7 +16,7 @@ export type ItemRoute = 'split' | 'plain' | 'ordered' | 'forward';
 
 /** One draw from three's traversal, with the host's material (or the scene's override). Pooled: valid only in its frame. */
 export interface RenderItem extends RenderListItem {
-  /** Place of the material among opaque items, see `RenderQueue.ranks`. */
+  /** Rank of the material in the order of opaque items, see `RenderQueue.ranks`. */
   rank: number;
   shading: ItemShading;
   route: ItemRoute;

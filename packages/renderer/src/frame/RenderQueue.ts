@@ -13,7 +13,7 @@ import { warnOfNaN } from './warnOfNaN';
 
 const center = new Vector3();
 
-/** three's default order of opaque items, but for `rank`: by group, render order, material, then front to back. */
+/** three's default order of opaque items, with `rank` added: by group, render order, rank, material, then front to back. */
 function byState(a: RenderItem, b: RenderItem): number {
   return (
     a.groupOrder - b.groupOrder ||
@@ -69,7 +69,7 @@ export class RenderQueue {
   covers = true;
   /** True if an opaque object may be so far away that its depth equals the cleared depth, see `watchFar`. */
   reachesFar = false;
-  /** Places of materials among opaque items, unless the host has an order of its own or one must be drawn in three's. */
+  /** Rank of each material among opaque items; ignored if the host sets an order or an item must be drawn in three's. */
   ranks: ReadonlyMap<Material, number> | null = null;
   private camera!: Camera;
   /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */

@@ -49,7 +49,7 @@ export function isEmptyCallback(callback: Callback): boolean {
 
 /**
  * Watches callbacks of objects while they run: one that clears depth or draws in the bound target, even through another
- * function, counts as a step of the host's from the next frame on.
+ * function, counts as drawing from the next frame on.
  */
 export class CallbackWatch {
   private callback: Callback | null = null;

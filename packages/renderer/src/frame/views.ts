@@ -1,6 +1,6 @@
 /**
  * Values of `FarolRenderer.view`. Those after 'grid' show a buffer of an effect, a technique or lights; if the frame lacks it,
- * the final picture is shown, and `FarolInfo.view` names the mend.
+ * the final picture is shown, and `FarolInfo.view` says what to change.
  */
 export const views = [
   'final',

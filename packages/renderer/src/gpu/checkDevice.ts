@@ -3,7 +3,7 @@ import type { WebGLRenderer } from 'three';
 /**
  * Checks that the device has WebGL 2 and the features that Farol needs.
  * @param floatTargets - whether half-float or float colour targets are needed
- * @throws Error that names what is missing and the mend
+ * @throws Error that names what is missing and the remedy
  */
 export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
   // JavaScript hosts may pass anything; not instanceof, since the canvas may be in another window

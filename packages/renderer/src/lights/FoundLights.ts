@@ -23,7 +23,7 @@ export class FoundLights {
   readonly nested: Light[] = [];
   /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
   readonly rest: Placed[] = [];
-  /** Whether `masks` counts the lights that cast a shadow, project an image or have a profile. */
+  /** Whether to count, in `masks`, the lights that cast a shadow, project an image or have a profile. */
   seeksMasks = true;
   masks = 0;
   /** Number of lights left to three. */

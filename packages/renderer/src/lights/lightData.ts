@@ -26,7 +26,7 @@ export type AreaLightShape = 'rectangle' | 'disc' | 'tube';
 
 /**
  * Properties that three.js lights lack: of the thesis's lights (3.2.5.3), area lights and baked lights. Set by
- * `setLightOptions`, which keeps them as plain JSON at `light.userData.farol`, read anew each frame.
+ * `setLightOptions`, which keeps them as plain JSON at `light.userData.farol`, read again in each frame.
  */
 export interface FarolLightData {
   /**

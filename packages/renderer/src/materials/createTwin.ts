@@ -72,7 +72,7 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     id: { value: new BaseMaterial().id },
     // three switches the side of transparent materials, which must not change the source; Frame draws both sides by twins
     version: { get: version, set: NOTHING },
-    // three resets the flag after a draw; Frame resets the source's, once its twin is drawn
+    // three resets `uniformsNeedUpdate` after a draw; Frame resets that of the source once its twin is drawn
     ...('uniformsNeedUpdate' in source && {
       uniformsNeedUpdate: { get: () => (source as ShaderMaterial).uniformsNeedUpdate, set: NOTHING },
     }),

@@ -23,7 +23,7 @@ export interface LitTwinOptions {
   readonly variant?: (source: Material) => string;
   /** Statements added at the end of main(), where gl_FragColor is complete. */
   readonly atEnd?: string;
-  /** Last rewrite of the fragment shader. */
+  /** Rewrites the fragment shader after all other changes. */
   readonly rewrite?: (fragmentShader: string, source: Material) => string;
 }
 

@@ -54,7 +54,7 @@ export class EffectList {
     return this.active;
   }
 
-  /** Frees the GPU resources of all effects that were ever in the list; a later frame makes them anew. */
+  /** Frees the GPU resources of all effects that were ever in the list; a later frame creates them again. */
   dispose(): void {
     // the next frame checks again which effects the device supports: the context may have been restored
     this.count = -1;

@@ -35,7 +35,7 @@ export interface FarolOptions {
   /** Whether each pass is timed by EXT_disjoint_timer_query_webgl2. Default false: then a host's own time queries work. */
   timing?: boolean;
   /**
-   * Effects that take part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the
+   * Effects that are drawn besides the technique, in this order: anti-aliasing, ambient occlusion, decals and the
    * like, each from its own entry of the package. The FarolRenderer disposes those in the list with itself; the host disposes
    * others. Default none.
    */
@@ -53,7 +53,7 @@ export interface FarolOptions {
   shadowCascades?: number;
   /**
    * Whether a directional, point or spot light reaches only objects that share a layer with it (`light.layers`,
-   * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. Objects with other
+   * `object.layers`); as in three, it gives light only if the camera shares a layer with it. Objects with other
    * layers than most are then drawn forward, by every technique. Default false, as in three: all lights reach all
    * objects.
    */

@@ -204,10 +204,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * Fulfilled when the last frame had all code and programs that it needed and 'auto' is not changing technique: the same scene
    * drawn again gives the same picture, except for effects that gather frames. Each read returns a new promise. It waits for
    * frames of the host's: for the first one, one after missing code or a lost context. Hosts that draw on demand draw again on
-   * the event 'redraw'.
-   *
-   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the mend (later frames and calls
-   * try again), and when this renderer is disposed.
+   * the event 'redraw'. Rejected when a part of the code cannot be fetched, with an Error that names the part and the remedy
+   * (later frames and calls try again), and when this renderer is disposed.
    */
   get ready(): Promise<void> {
     return warmUpCode.load().then((code) => code.whenReady(this.last, this.picker, () => this.disposed));
@@ -348,8 +346,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * @throws Error when the code cannot be fetched
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
-    const { last, finder } = this;
-    return warmUpCode.load().then((code) => code.compileByDrawing(this, last, finder, scene, camera));
+    return warmUpCode.load().then((code) => code.compileByDrawing(this, this.last, this.finder, scene, camera));
   }
 
   /** Frees all GPU resources of Farol, not the host's. A call within `render` frees them when the frame ends. */
@@ -368,8 +365,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Frees the GPU resources; the next frame makes them anew. Also called when the context is lost: if disposed after its return,
-   * three would delete old handles in the new context.
+   * Frees the GPU resources; the next frame creates them again. Also called when the context is lost: if disposed after its
+   * return, three would delete old handles in the new context.
    */
   private readonly free = (): void => {
     this.last.isDrawn = false;

@@ -16,10 +16,10 @@ const UNIFORMS_PER_LIGHT = 7;
 type ShadowCode = typeof import('../shadows');
 type AreaCode = typeof import('../lighting/area-lights');
 
-/** Finds the lights of a frame, and fetches the code of shadow maps when one casts a shadow or throws a cookie. */
+/** Finds the lights of a frame, and fetches the code of shadow maps when one casts a shadow or projects an image. */
 export class LightFinder {
   readonly found = new FoundLights();
-  /** Kinds of lights that three still lights: with shadows, with cookies, area lights, or all. */
+  /** Kinds of lights left to three: lights with shadows, lights with cookies, area lights, or all. */
   readonly left = { shadows: false, cookies: true, areas: true, all: false };
   /** Area lights; null until a scene has one and their code is loaded. */
   areas: AreaLightTable | null = null;
@@ -62,7 +62,7 @@ export class LightFinder {
     collectLights(scene, camera, left, found);
   }
 
-  /** Frees the shadow maps and area lights; a later frame that needs them creates them anew. */
+  /** Frees the shadow maps and area lights; a later frame that needs them creates them again. */
   dispose(): void {
     this.shadows?.dispose();
     this.shadows = null;

@@ -66,7 +66,7 @@ export class SceneView {
   /** Stands for all transmissive objects in three's list: three fills its transmission target only if the list has one. */
   private readonly glass: Mesh;
   private transmits = false;
-  /** Array of cameras that contains the camera, or the camera itself: its layers too must let an object through. */
+  /** Array of cameras that contains the camera, or the camera itself: drawn objects must share a layer with it too. */
   seenBy!: Camera;
   /** Traversal for a camera of an array; null until there was one. */
   private array: ArrayTraversal | null = null;

@@ -2,8 +2,8 @@ import { tileCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
 /**
- * Tiled forward shading: a list of lights for each tile of 16 × 16 pixels, whatever its depth, walked by three's own
- * materials. Transparent things and multisampling work.
+ * Tiled forward shading: a list of lights for each tile of 16 × 16 pixels, whatever its depth, over which three's own
+ * materials loop. Transparent objects and multisampling work.
  * @see Olsson and Assarsson 2011, Tiled Shading; thesis 2.2.3.3.4
  */
 export const tiledForward: Technique = {

@@ -1,20 +1,11 @@
 import type { SessionInfo } from '../../model/SessionInfo';
+import { done, refused } from '../keyedStore';
 import { mergeParts, type PartChange, type PartKey } from './parts';
 
 const NAME = 'farol-autosave';
 
 /** Key of the record with all parts of a session's first write, as pairs. */
 const BASE = 'base';
-
-const refused = (error: DOMException | null | undefined): Error =>
-  error ?? new Error('The browser refused to store data.');
-
-const done = <T>(request: IDBRequest<T>): Promise<T> =>
-  new Promise((resolve, reject) => {
-    request.addEventListener('success', () => resolve(request.result));
-    request.addEventListener('error', () => reject(refused(request.error)));
-    request.addEventListener('blocked', () => reject(new Error('Another tab blocks the storage: close that tab.')));
-  });
 
 const finished = (transaction: IDBTransaction): Promise<void> =>
   new Promise((resolve, reject) => {

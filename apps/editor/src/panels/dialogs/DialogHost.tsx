@@ -40,13 +40,21 @@ export function DialogHost(): ReactNode {
   const popup = useRef<HTMLDivElement>(null);
   const [isAgentAsked, setAgentAsked] = useState(false);
   if (current?.kind === 'agent' && !isAgentAsked) setAgentAsked(true);
+  // at once, before a command of the palette moves it; Base UI would come later, and does not know what had it
+  useEffect(() => {
+    if (!current) (dialogs.before as HTMLElement | null)?.focus();
+  }, [current, dialogs]);
   return (
     <>
       <Suspense fallback={null}>{isAgentAsked && <AgentBar />}</Suspense>
       <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
         <Dialog.Portal>
           <Dialog.Backdrop className="backdrop" />
-          <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
+          <Dialog.Popup
+            ref={popup}
+            className={`dialog ${(current && shapes[current.kind]) ?? ''}`}
+            finalFocus={() => !dialogs.before?.isConnected}
+          >
             <Suspense
               fallback={
                 current?.kind === 'palette' && (

@@ -23,26 +23,13 @@ export interface PaletteItem extends Findable {
   run(): unknown;
 }
 
-const groups = (): Readonly<Record<string, string>> => ({
-  file: t('File'),
-  edit: t('Edit'),
-  view: t('View'),
-  camera: t('Camera'),
-  gizmo: t('Handles'),
-  play: t('Play'),
-  panels: t('Panels'),
-  help: t('Help'),
-  technique: t('Technique'),
-  shown: t('Show'),
-});
-
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1).replaceAll('-', ' ');
 
 /** Group of an action, by the first part of its id. */
 export const groupOf = (id: string): string => {
   if (id.startsWith('file.new.')) return t('Samples');
-  const first = id.split('.')[0];
-  return groups()[first] ?? capital(first);
+  const [first] = id.split('.');
+  return t({ gizmo: 'Handles', shown: 'Show' }[first] ?? capital(first));
 };
 
 /** Maximum number of objects that a search may find; when there are more, none is listed. */

@@ -1,23 +1,26 @@
 import { t } from '@farol/editing';
 import type { XRMode } from '@farol/engine/xr';
-import { type ReactNode, useEffect, useState } from 'react';
+import { type ReactNode, useEffect, useRef, useState } from 'react';
 import { Button } from '../../ui/Button';
 import { useEditor } from '../../ui/EditorContext';
 
 const fetchXR = () => import('@farol/engine/xr');
 
-/** Buttons that show the playing scene in a headset; nothing without a headset. */
+/** Buttons that show the playing scene in a headset; nothing without a headset. With the play its session ends. */
 export function XRButtons(): ReactNode {
   const editor = useEditor();
   const [modes, setModes] = useState<readonly XRMode[]>([]);
   useEffect(() => {
     if ('xr' in navigator) editor.attempt(async () => setModes(await (await fetchXR()).xrModes()));
   }, [editor]);
+  const session = useRef<Promise<XRSession>>(null);
+  // rejected where the user refused it, or has ended it
+  useEffect(() => () => void session.current?.then((begun) => begun.end()).catch(() => undefined), []);
   const enter = async (mode: XRMode): Promise<void> => {
     const { viewport, document } = editor;
     const { loop, picture, lookThrough, rayCamera } = viewport;
     const { playInXR } = await fetchXR();
-    await playInXR(
+    session.current = playInXR(
       {
         picture,
         scene: document.scene,
@@ -28,6 +31,7 @@ export function XRButtons(): ReactNode {
       },
       mode,
     );
+    await session.current;
   };
   return modes.map((mode) => (
     <Button

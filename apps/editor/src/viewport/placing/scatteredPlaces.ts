@@ -48,6 +48,7 @@ export function scatteredPlaces(
   const places: ArrangedPlace[] = [];
   if (surface.area === 0) return places;
   const random = createRandom(seed);
+  surface.setRandomGenerator(random);
   const grid = new PointGrid(minimumDistance);
   const point = new Vector3();
   const normal = new Vector3();
@@ -55,7 +56,7 @@ export function scatteredPlaces(
   const about = new Quaternion();
   const total = Math.min(MOST_COPIES, Math.max(feet.length, Math.round(count)));
   for (let tries = 0; places.length < total && tries < TRIES; tries++) {
-    surface.sample(random, point, normal);
+    surface.sample(point, normal);
     // rejected points consume random numbers too, so that later ones do not depend on rounding of the distance
     const [angle, size] = [random() * 2 * Math.PI, random()];
     if (!grid.add(point)) continue;

@@ -272,6 +272,8 @@ export const page: Texts = {
   'Ten lights more': 'Diez luces más',
   'Technique changed': 'Técnica cambiada',
   Rasteriser: 'Rasterizador',
+  '{count} plane': '{count} plano',
+  '{count} planes': '{count} planos',
   'N × N planes, M × M lights': 'N × N planos, M × M luces',
   'Sponza (here: atrium)': 'Sponza (aquí: atrio)',
   Dark: 'Oscuro',
@@ -306,6 +308,12 @@ export const page: Texts = {
     'La más rápida, o igual de rápida, en {wins} de {cases} casos.',
   'With up to {few} lights: {first}; with {many} or more: {second}.':
     'Con hasta {few} luces: {first}; con {many} o más: {second}.',
+  'The file is not JSON ({why}): choose a run that the Lab exported as JSON.':
+    'El archivo no es JSON ({why}): elige una medición que el Lab exportó como JSON.',
+  'This is not a run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").':
+    'No es una medición del Lab: elige un archivo que el Lab exportó como JSON ("format": "farol-lab-run").',
+  'A software rasteriser draws here, on the processor: its figures say little about graphics cards.':
+    'Aquí dibuja un rasterizador por software, con el procesador: sus cifras dicen poco de las tarjetas gráficas.',
   'a tie: within the spread': 'empate: dentro de la dispersión',
   'To compare two runs, check the boxes before them.': 'Para comparar dos mediciones, se marcan sus casillas.',
   'What auto learnt on this device': 'Lo que auto aprendió en este dispositivo',

@@ -1,11 +1,9 @@
-import { type Camera, Group, PerspectiveCamera, Vector3 } from 'three';
-import type { CharacterController } from '../../components/CharacterController';
-import type { XRRig } from '../../components/XRRig';
+import { type Camera, Group, PerspectiveCamera } from 'three';
 import type { Scene } from '../../core/Scene';
 import type { PictureRenderer } from '../../picture/PictureRenderer';
 import { XRGrab } from './XRGrab';
 import { XRHand } from './XRHand';
-import { XRWalk } from './XRWalk';
+import { XRPlace } from './XRPlace';
 
 /** Modes of a WebXR session: in a scene of its own, or laid over the room. */
 export type XRMode = 'immersive-vr' | 'immersive-ar';
@@ -13,8 +11,9 @@ export type XRMode = 'immersive-vr' | 'immersive-ar';
 /** Scene of an XR session, and the control of the page's own frames. */
 export interface XRStage {
   readonly picture: PictureRenderer;
+  /** The scene that is shown; another one may take its place while the session lasts. */
   readonly scene: Scene;
-  /** Camera whose pose the session starts from, in scenes without an XRRig. */
+  /** Camera at whose pose the user stands when a scene without an XRRig is entered. */
   readonly camera: Camera;
   /** Advances the scene. @param seconds - since the last frame, 0.1 at most */
   advance(seconds: number): unknown;
@@ -24,12 +23,7 @@ export interface XRStage {
   resume(): unknown;
 }
 
-/** Height (m) of the eyes above the floor, in scenes without an XRRig. */
-const EYES = 1.6;
 const LONGEST_STEP = 0.1;
-/** Walk settings of scenes without an XRRig (m/s, rad). */
-const DEFAULTS = { speed: 2, turnStep: Math.PI / 6, teleports: true };
-
 /** Session modes that the device supports and the page may use. */
 export async function xrModes(): Promise<XRMode[]> {
   // Chromium logs an error when a page queries WebXR and its permissions policy forbids it
@@ -55,36 +49,31 @@ export async function playInXR(stage: XRStage, mode: XRMode): Promise<XRSession>
     optionalFeatures: ['hand-tracking', 'layers'],
   });
   stage.pause();
-  const { scene } = stage;
-  const rig = scene.componentsOf<XRRig>('XRRig').find((each) => each.isActive) ?? null;
   const space = new Group();
   const camera = new PerspectiveCamera();
-  const { near, far } = stage.camera as PerspectiveCamera;
-  Object.assign(camera, { near, far });
   space.add(camera);
-  if (rig) rig.gameObject.object3D.add(space);
-  else standAt(space, stage.camera, scene);
   const hands = [0, 1].map((i) => new XRHand(xr, i, space));
   const grabs = hands.map((hand) => new XRGrab(hand));
-  const walk = new XRWalk(rig?.gameObject.object3D ?? space, scene.three, space, camera);
-  const character = (rig?.gameObject.getComponent('CharacterController') ?? null) as CharacterController | null;
+  let place = new XRPlace(stage, space, camera);
   let last = 0;
   const frame = (now: number): void => {
     const seconds = last === 0 ? 0 : Math.min((now - last) / 1000, LONGEST_STEP);
     last = now;
+    if (place.scene !== stage.scene) {
+      place.leave();
+      place = new XRPlace(stage, space, camera);
+    }
     space.updateWorldMatrix(true, true);
-    walk.update(hands, rig ?? DEFAULTS, seconds, character);
-    for (const grab of grabs) grab.update(scene, seconds, grabs);
+    place.update(hands, seconds);
+    for (const grab of grabs) grab.update(place.scene, seconds, grabs);
     stage.advance(seconds);
-    stage.picture.render(scene, camera);
+    stage.picture.render(place.scene, camera);
   };
   const end = (): void => {
     webgl.setAnimationLoop(null);
     xr.enabled = stage.picture.inXR = false;
-    character?.walk([0, 0, 0]);
     for (const hand of hands) hand.dispose();
-    walk.dispose();
-    space.removeFromParent();
+    place.leave();
     stage.resume();
   };
   xr.addEventListener('sessionend', function ended() {
@@ -93,14 +82,11 @@ export async function playInXR(stage: XRStage, mode: XRMode): Promise<XRSession>
   });
   xr.enabled = stage.picture.inXR = true;
   webgl.setAnimationLoop(frame);
-  await xr.setSession(session);
+  try {
+    await xr.setSession(session);
+  } catch (error) {
+    await session.end();
+    throw error;
+  }
   return session;
-}
-
-/** Puts `space`, the floor, below a camera of the scene: upright, with the camera's heading. */
-function standAt(space: Group, camera: Camera, scene: Scene): void {
-  const front = camera.getWorldDirection(new Vector3());
-  camera.getWorldPosition(space.position).y -= EYES;
-  space.rotation.y = Math.atan2(-front.x, -front.z);
-  scene.three.add(space);
 }

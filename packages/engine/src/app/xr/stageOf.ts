@@ -2,14 +2,18 @@ import { PerspectiveCamera } from 'three';
 import type { App } from '../App';
 import type { XRStage } from './playInXR';
 
-/** Stage of an App: its scene, advanced as far as the App was running and playing. */
+/** Stage of an App: the scene that it has, advanced as far as the App was running and playing. */
 export function stageOf(app: App): XRStage {
-  const { scene, picture, running } = app;
+  const { picture, running } = app;
   return {
     picture,
-    scene,
-    camera: scene.activeCamera?.three ?? new PerspectiveCamera(),
-    advance: (seconds) => running && app.playing && scene.update(seconds),
+    get scene() {
+      return app.scene;
+    },
+    get camera() {
+      return app.scene.activeCamera?.three ?? new PerspectiveCamera();
+    },
+    advance: (seconds) => running && app.playing && app.scene.update(seconds),
     pause: () => app.stop(),
     resume: () => running && app.start(),
   };

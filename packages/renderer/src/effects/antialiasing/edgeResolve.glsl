@@ -1,4 +1,4 @@
-// Mean of a pixel's samples; the picture's colour where it shows none of their surfaces, but one not redrawn.
+// Mean of a pixel's samples; the picture's colour where a surface that was not redrawn hides those of the samples.
 // Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_samples; // multisampled surfaces at edges; alpha: + FAROL_SHOWN (edgeColor.glsl)

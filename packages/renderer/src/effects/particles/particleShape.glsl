@@ -6,7 +6,7 @@ const int FAROL_SPHERE = 1;
 const int FAROL_CONE = 2;
 const int FAROL_BOX = 3;
 const int FAROL_MESH = 4;
-uniform highp ivec2 farol_emitterShape; // x: a shape constant above; y: triangles of the surface
+uniform highp ivec2 farol_emitterShape; // x: shape, one of the constants above; y: triangles of the mesh
 // sphere: radius (m), thickness (0 to 1); cone: radius (m), angle (rad); box: sides (m)
 uniform highp vec3 farol_emitterSize;
 // six texels a triangle: three corners, whose w hold share and alias (alias method), then three normals

@@ -119,7 +119,7 @@ export class TechniqueLearner {
   }
 
   /**
-   * Adds the times of a trial and of a frame beside it (ms); times that are no numbers above 0 do not count.
+   * Adds the times (ms) of a trial: a draw by each of two techniques. Times that are no numbers above 0 do not count.
    * @returns whether this led to a verdict other than the one before
    */
   add(key: number, one: ChosenTechnique, oneTime: number, other: ChosenTechnique, otherTime: number): boolean {

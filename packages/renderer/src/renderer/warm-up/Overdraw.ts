@@ -12,19 +12,19 @@ import {
 import type { RenderItem } from '../../frame/RenderItem';
 import { geometryPoints, POINT, POINTS, surfacePoints } from './surfacePoints';
 
-/** Maximum number of cells along a side of the picture, and number of points for which there is one cell. */
+/** Maximum number of cells along a side of the picture, and smallest mean number of parts in a cell. */
 const MOST_CELLS = 8;
 const POINTS_A_CELL = 16;
-/** Number of frames from one estimate to the next, and of those before one in which new items' points are found. */
+/** Number of frames from one estimate to the next, and of the frames just before it over which items' points are computed. */
 const INTERVAL = 64;
 const AHEAD = 8;
 /** Number of opaque items beyond which nothing is estimated, since the CPU then takes longer than the GPU. */
 const MOST_ITEMS = 1000;
-/** Number of points of all items, of which fewer are read where there are many items. */
+/** Maximum number of points of all items together: each item has fewer where there are many items. */
 const MOST_POINTS = 6144;
-/** Capacity of the arrays of parts. */
+/** Capacity of the arrays below, which describe parts. */
 const MOST_PARTS = MOST_POINTS + MOST_ITEMS;
-/** Number of runs, beyond which nothing is estimated: items drawn one after the other, of one material and render order. */
+/** Number of runs (successive items of one material and render order) beyond which nothing is estimated. */
 const MOST_RUNS = 64;
 /** Clip-space w below which a point counts as behind the camera. */
 const BEHIND = 1e-3;
@@ -37,7 +37,7 @@ export interface EstimatedFrame {
 
 const toView = new Matrix4();
 const normals = new Matrix3();
-/** Parts of the picture that points stand for: depth (m), place from the left and the bottom, run, and share of the picture. */
+/** Parts of the picture, one around each point: depth (m), position from left and bottom (0 to 1), run, share of the picture. */
 const depths = new Float64Array(MOST_PARTS);
 const columns = new Float64Array(MOST_PARTS);
 const rows = new Float64Array(MOST_PARTS);
@@ -47,30 +47,30 @@ const areas = new Float64Array(MOST_PARTS);
 const keys = new Float64Array(MOST_PARTS);
 /** First item of each run, in the order in which they are drawn; empty between estimates. */
 const runs: RenderItem[] = [];
-/** First run of the same material, of each run. */
+/** Index of the first run with the same material, for each run. */
 const firsts = new Uint8Array(MOST_RUNS);
-/** Waste (cells) of drawing a material before the others that have no rank yet, at its first run. */
+/** Shading wasted (cells) if a material is drawn before the others without a rank, at the index of its first run. */
 const wastes = new Float64Array(MOST_RUNS);
-/** Share of each cell that nearer parts of each run cover. */
+/** Share of each cell that the nearer parts of each run cover, 0 to 1. */
 const front = new Float64Array(MOST_CELLS * MOST_CELLS * MOST_RUNS);
-/** Number of cells of a second run that a first one hides, by first and second. */
+/** Area of a run that another run hides (cells), at index other run × MOST_RUNS + run. */
 const hides = new Float64Array(MOST_RUNS * MOST_RUNS);
 
 /**
- * Estimate of how often the opaque items of a scene shade a pixel that a later one hides, and of the order of materials that
- * spares most of it, by points on the items' surfaces over cells of the picture. Made anew every 64 frames.
+ * Estimate of how often the opaque items of a scene shade a pixel that a later one hides, and of the order of materials
+ * that avoids most of it, from points on the items' surfaces in cells of the picture. Computed again every 64 frames.
  */
 export class Overdraw {
-  /** Shadings beyond the first, of a pixel on average; half of it from the estimate before. */
+  /** Mean number of shadings of a pixel beyond the first; the mean of the last estimate and the value before. */
   layers = 0;
   /** Number of triangles of the items that a depth pre-pass would draw. */
   triangles = 0;
-  /** Places of materials in `RenderQueue.ranks`. */
+  /** Rank of each material in the order of draws, for `RenderQueue.ranks`; the lowest is drawn first. */
   readonly ranks = new Map<Material, number>();
   private frames = 0;
   private parts = 0;
 
-  /** Counts a drawn frame, and estimates anew in every 64th. */
+  /** Counts a drawn frame, and makes an estimate in every 64th. */
   follow({ camera, queue: { opaque } }: EstimatedFrame): void {
     const frame = this.frames++ % INTERVAL;
     if (frame < AHEAD && opaque.length <= MOST_ITEMS)
@@ -131,7 +131,7 @@ export class Overdraw {
       if (w < BEHIND) continue;
       const [a, b, c] = [points[i + 3], points[i + 4], points[i + 5]];
       const nz = n[2] * a + n[5] * b + n[8] * c;
-      // to the camera, or for an orthographic one to its plane
+      // above 0 where the surface faces the camera, or the plane of an orthographic one
       const facing =
         p[11] === 0 ? nz : -((n[0] * a + n[3] * b + n[6] * c) * x + (n[1] * a + n[4] * b + n[7] * c) * y + nz * z);
       const area = ((side === DoubleSide ? Math.abs(facing) : side === BackSide ? -facing : facing) * scale) / w ** 3;
@@ -150,7 +150,7 @@ export class Overdraw {
     areas[part] = area;
   }
 
-  /** Goes through the parts from near to far, and sets `hides`. @returns share of the picture that is drawn and hidden later */
+  /** Visits the parts from near to far, and sets `hides`. @returns share of the picture that is drawn and hidden later */
   private compare(): number {
     const { parts } = this;
     for (let i = 0; i < parts; i++) keys[i] = Math.round(Math.min(depths[i], 1e6) * 1024) * MOST_PARTS + i;
@@ -175,7 +175,7 @@ export class Overdraw {
     return wasted / (side * side);
   }
 
-  /** Ranks materials: next comes the material that wastes least by coming before all that are left. */
+  /** Ranks materials: each next one is the material that wastes least shading when drawn before all that are left. */
   private rank(): void {
     wastes.fill(0);
     for (let run = 0; run < runs.length; run++) addWastes(run, 1);
@@ -192,7 +192,7 @@ export class Overdraw {
   }
 }
 
-/** Adds, times a sign, the waste of each other material if it comes before a run, less that of the run before it. */
+/** Adds to `wastes`, times `sign`: shading wasted if each run's material is drawn before `run`, less that of the reverse order. */
 function addWastes(run: number, sign: number): void {
   for (let other = 0; other < runs.length; other++) {
     if (!isBeside(runs[run], runs[other])) continue;

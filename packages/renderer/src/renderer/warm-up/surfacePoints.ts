@@ -2,11 +2,11 @@ import { type BufferGeometry, type Object3D, type Sphere, Vector3 } from 'three'
 import type { RenderItem } from '../../frame/RenderItem';
 import { hasReadableVertices } from '../../three/vertexData';
 
-/** Numbers of a point: its place, and the area around it times the normal there, both in the space of the object. */
+/** Count of a point's numbers: its position, then the normal there times the area that it stands for (object's own space). */
 export const POINT = 6;
-/** Number of triangles of a geometry, evenly spread, that points lie on. */
+/** Maximum number of a geometry's triangles, evenly spread, that points lie on. */
 const TRIANGLES = 64;
-/** Steps of a sequence in two dimensions that spreads evenly: powers of the plastic number (Roberts, 2018). */
+/** Steps of the low-discrepancy sequence R2: powers of the plastic number (Roberts 2018). */
 const STEPS = [0.7548776662466927, 0.5698402909980532];
 
 const known = new WeakMap<object, Float32Array>();
@@ -19,10 +19,10 @@ const areas = new Float64Array(TRIANGLES);
 const corners = [new Vector3(), new Vector3(), new Vector3()];
 const sphere = new Float32Array(48 * POINT);
 
-/** Number of points on the surface of an item. */
+/** Number of points on an item's surface. */
 export const POINTS = sphere.length / POINT;
 
-/** Points spread evenly over what an item draws; none where that is not known. Valid until the next call. */
+/** Points spread evenly over the surface that an item draws; none if the CPU cannot read it. Valid until the next call. */
 export function surfacePoints(item: RenderItem): Float32Array {
   // instances, batches and skins have bounds of their own, which three computes to cull them
   const { boundingSphere } = item.object as Object3D & { boundingSphere?: Sphere | null };

@@ -8,7 +8,7 @@ export const LEVEL_BORDER = 1;
  * Width of a texture's mipmaps in an atlas (texels): the first level, above it the second, and to the right of that a
  * column of the others.
  * @param width - of a face (texels)
- * @param faces - number of faces across: 1, of a cube 3
+ * @param faces - number of faces across: 1, or 3 for a cube
  */
 export function mipmapBlockWidth(width: number, levels: number, faces = 1): number {
   const above = levels > 2 ? levelSpan(width, 1, faces) + levelSpan(width, 2, faces) : 0;
@@ -18,7 +18,7 @@ export function mipmapBlockWidth(width: number, levels: number, faces = 1): numb
 /**
  * Height of a texture's mipmaps in an atlas (texels).
  * @param height - of a face (texels)
- * @param faces - number of faces up: 1, of a cube 2
+ * @param faces - number of faces up: 1, or 2 for a cube
  */
 export function mipmapBlockHeight(height: number, levels: number, faces = 1): number {
   const second = levels > 1 ? levelSpan(height, 0, faces) + levelSpan(height, 1, faces) : 0;

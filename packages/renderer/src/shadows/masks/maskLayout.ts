@@ -81,7 +81,7 @@ export const maskRecord = {
    */
   firstFit: {
     profileAcross: 'xyz',
-    /** Kind of the cookie beside a photometric profile, one of `cookieShapes` without `profile`. */
+    /** Kind of the cookie of a light that also has a photometric profile, one of `cookieShapes` without `profile`. */
     profileCookie: ['int', 'int(t.w)'],
   },
   secondFit: { profileDown: 'xyz' },
@@ -92,6 +92,6 @@ export const MASK = texelOffsets(maskRecord);
 
 export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;
 
-/** Greatest number of cascades of a directional light, beside the map of the light's whole shadow camera. */
+/** Greatest number of cascades of a directional light, besides the map of the light's whole shadow camera. */
 export const MOST_CASCADES = 3;
 export const FITS = [MASK.firstFit, MASK.secondFit, MASK.cookie] as const;

@@ -5,7 +5,7 @@ import type { CookieSlot } from './CookieSlot';
 const MANY_UNITS = 32;
 
 /**
- * Number of lights' textures that a shader samples beside a material's maps.
+ * Number of lights' textures that a shader samples besides a material's maps.
  * @param units - texture units of fragment shaders
  */
 export function imageSamplersOf(units: number): number {

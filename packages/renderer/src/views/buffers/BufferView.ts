@@ -6,7 +6,7 @@ import type { View } from '../../frame/views';
 export interface BufferView {
   /**
    * Draws the buffer over the frame's viewport, and fills `info`.
-   * @returns null, or a sentence that says what the frame lacks, and the mend
+   * @returns null, or a sentence that says what the frame lacks, and how to get it
    */
   show(frame: Frame, info: ShownView): string | null;
   dispose(): void;
