@@ -102,4 +102,5 @@ it('ranks materials so that what hides others is drawn before them', () => {
   expect(ranked(steps), 'where none may change places').toEqual([second, first, third]);
   const changing = Array.from({ length: 65 }, (_, i) => item(quad(5 + i, [first, second][i % 2])));
   expect(ranked(changing), 'too many changes of material').toEqual([]);
+  expect(estimate(changing.toReversed()).layers, 'which are counted all the same').toBeGreaterThan(30);
 });

@@ -10,7 +10,7 @@ import {
   type Object3D,
 } from 'three';
 import type { RenderItem } from '../../frame/RenderItem';
-import { POINT, POINTS, surfacePoints } from './surfacePoints';
+import { geometryPoints, POINT, POINTS, surfacePoints } from './surfacePoints';
 
 /** Maximum number of cells along a side of the picture, and smallest mean number of parts in a cell. */
 const MOST_CELLS = 8;
@@ -73,19 +73,27 @@ export class Overdraw {
   /** Counts a drawn frame, and makes an estimate in every 64th. */
   follow({ camera, queue: { opaque } }: EstimatedFrame): void {
     const frame = this.frames++ % INTERVAL;
-    const isFew = opaque.length <= MOST_ITEMS;
-    if (frame < AHEAD && isFew) for (let i = frame; i < opaque.length; i += AHEAD) surfacePoints(opaque[i]);
+    if (frame < AHEAD && opaque.length <= MOST_ITEMS)
+      for (let i = frame; i < opaque.length; i += AHEAD) geometryPoints(opaque[i]);
     if (frame !== AHEAD) return;
-    const isKnown = isFew && this.place(opaque, camera);
-    const layers = isKnown ? this.compare() : 0;
-    this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
     this.ranks.clear();
-    if (isKnown) this.rank();
+    let layers = 0;
+    if (opaque.length <= MOST_ITEMS) {
+      const hasFewRuns = this.place(opaque, camera, 0);
+      if (!hasFewRuns) this.place(opaque, camera, Math.ceil(opaque.length / MOST_RUNS));
+      layers = this.compare();
+      if (hasFewRuns) this.rank();
+    }
+    this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
     runs.length = 0;
   }
 
-  /** Finds the parts of the picture that items cover. @returns false if there are too many runs */
-  private place(items: readonly RenderItem[], camera: Camera): boolean {
+  /**
+   * Finds the parts of the picture that items cover.
+   * @param size - number of items of a run, whatever their material; 0: as many as share material and render order
+   * @returns false for too many runs
+   */
+  private place(items: readonly RenderItem[], camera: Camera, size: number): boolean {
     // an estimate that a host's getter ended by throwing may have left items here
     runs.length = this.parts = this.triangles = 0;
     const step = Math.ceil((items.length * POINTS) / MOST_POINTS);
@@ -94,8 +102,8 @@ export class Overdraw {
       const item = items[i];
       if (item.route !== 'split') continue;
       this.triangles += trianglesOf(item);
-      const follows = last !== null && last.material === item.material && isBeside(last, item) && last.z <= item.z;
-      if (!follows) {
+      const isAlike = last?.material === item.material && isBeside(last, item) && last.z <= item.z;
+      if (last === null || (size > 0 ? i % size === 0 : !isAlike)) {
         if (runs.length === MOST_RUNS) return false;
         let first = 0;
         while (first < runs.length && runs[first].material !== item.material) first++;

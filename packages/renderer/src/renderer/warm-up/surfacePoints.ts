@@ -23,10 +23,15 @@ const sphere = new Float32Array(48 * POINT);
 export const POINTS = sphere.length / POINT;
 
 /** Points spread evenly over the surface that an item draws; none if the CPU cannot read it. Valid until the next call. */
-export function surfacePoints({ object, geometry, group }: RenderItem): Float32Array {
+export function surfacePoints(item: RenderItem): Float32Array {
   // instances, batches and skins have bounds of their own, which three computes to cull them
-  const { boundingSphere } = object as Object3D & { boundingSphere?: Sphere | null };
-  if (boundingSphere !== undefined) return boundingSphere === null ? none : pointsOnSphere(boundingSphere);
+  const { boundingSphere } = item.object as Object3D & { boundingSphere?: Sphere | null };
+  if (boundingSphere === undefined) return geometryPoints(item);
+  return boundingSphere === null ? none : pointsOnSphere(boundingSphere);
+}
+
+/** Points of an item that is one copy of its geometry. */
+export function geometryPoints({ geometry, group }: RenderItem): Float32Array {
   const key = group ?? geometry;
   let points = known.get(key);
   if (points === undefined) known.set(key, (points = pointsOn(geometry, group)));
