@@ -15,7 +15,7 @@ import { fetchModels } from './agreeModels.mjs';
 import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
-/** Made by --pack: a folder that holds everything is neither installed nor built. */
+/** File that --pack writes into its folder: such a folder holds everything, so it is neither installed nor built. */
 const marker = join(root, 'agree-packed.json');
 
 /** Contents of a packed folder: sources of the tests, built pages, and the packages that the tests need. */
@@ -104,7 +104,7 @@ function wholeOf(name, value, otherwise) {
 /**
  * @param {{ models?: string, 'no-models'?: boolean }} options
  * @param {boolean} isPacked
- * @returns {Promise<string | null>} a folder of models
+ * @returns {Promise<string | null>} folder of the glTF models to draw; null to draw none
  */
 async function modelsOf(options, isPacked) {
   if (options['no-models']) return null;

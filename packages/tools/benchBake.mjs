@@ -191,7 +191,7 @@ async function measure(values) {
   }
 }
 
-/** Another seed, so that nothing of its noise is that of the bake. @param {ReturnType<typeof readOptions>} options */
+/** Reference bake: with a seed, so with noise, of its own. @param {ReturnType<typeof readOptions>} options */
 function reference({ bake, reference: samples }) {
   return { ...bake, samples, seed: 2, denoise: false, indirectScale: 1 };
 }

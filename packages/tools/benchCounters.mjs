@@ -78,7 +78,7 @@ export function installCounters() {
     };
   }
 
-  /** @param {unknown} mode @param {unknown} list - of numbers of vertices @param {unknown} from @param {unknown} length */
+  /** @param {unknown} mode @param {unknown} list - vertex counts @param {unknown} from @param {unknown} length */
   function drawMany(mode, list, from, length) {
     const runs = /** @type {ArrayLike<number>} */ (list);
     const before = counts.draws;
@@ -108,7 +108,7 @@ export function installCounters() {
 
   /**
    * @param {unknown[]} args - of texImage or texSubImage
-   * @param {number} sized - count of arguments from which width and height are among them
+   * @param {number} sized - least count of arguments with which width and height are among them
    * @param {number} extent - index of the width
    * @param {number} dimensions - 2 or 3
    * @param {number} format - index of the format in the sized form

@@ -58,13 +58,13 @@ import { gpuFlags, softwareFlags } from './browserFlags.mjs';
  * @typedef {{ lab: LabHandle, benchStep(step: Step): void, benchCase(run: LabRun): void }} LabWindow
  */
 
-/** Flags for WebGPU on Linux; the first without the last loses WebGL contexts. */
+/** Flags for WebGPU on Linux; without the last, the first makes WebGL contexts get lost. */
 const webgpuFlags =
   process.platform === 'linux'
     ? ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--disable-gpu-compositing']
     : [];
 
-/** Without caches, so that every first frame compiles its programs, as on a machine that never saw them. */
+/** Settings that turn shader caches off, so that every first frame compiles its programs, as on a new machine. */
 const noCaches = {
   flags: ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache'],
   env: { __GL_SHADER_DISK_CACHE: '0', MESA_SHADER_CACHE_DISABLE: 'true' },
@@ -142,7 +142,7 @@ export class LabBrowser {
       },
       { plan, command, versions, crashes },
     );
-    measured.catch(() => {}); // the browser may be killed while it is at work
+    measured.catch(() => {}); // killing the browser rejects this promise: without the handler Node would end
     try {
       return /** @type {LabRun} */ (await Promise.race([measured, stalled]));
     } finally {
@@ -159,14 +159,14 @@ export class LabBrowser {
     const running = this.#running;
     this.#running = null;
     this.#page = null;
-    await running?.kill(); // a page that hangs would not let it close
+    await running?.kill(); // killed, since a page that hangs would keep the browser from closing
   }
 
   async #open() {
     if (this.#page) return this.#page;
     const { executablePath, gpu, url } = this.options;
     const args = [...noCaches.flags, ...steadyFlags, ...(gpu ? [...gpuFlags, ...webgpuFlags] : softwareFlags)];
-    // not before it is installed
+    // imported late: playwright-core may not be installed when this module loads
     const { chromium } = await import('playwright-core');
     this.#running = await chromium.launchServer({ executablePath, args, env: { ...process.env, ...noCaches.env } });
     const browser = await chromium.connect(this.#running.wsEndpoint());

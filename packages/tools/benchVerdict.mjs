@@ -18,18 +18,18 @@ import { caseName, digits } from './benchLabWords.mjs';
  * @typedef {{ name: string, series: string, index: number, competitor: string, what: string, ratio: number }} Slower
  */
 
-/** Ending of a competitor of the other build. */
+/** Suffix of a competitor's key that stands for the same competitor in the other build. */
 export const AGAINST = '@against';
 
 /** Titles of `Figures`. */
 const columns = ['frame', 'CPU', 'GPU', 'draws', 'programs', 'first'];
 
-/** Greatest ratio of a time to the other build's that is not slower. */
+/** Greatest ratio of a time to the same time of the other build that does not yet count as slower. */
 const limits = { GPU: 1.02, CPU: 1.05 };
-/** Greatest difference of times that is within a clock's step (ms). */
+/** Difference of two times that the clock's resolution explains (ms). */
 const STEP = 0.005;
 
-/** Greatest loss of auto against the fastest technique, in a case and on average. */
+/** Greatest loss of auto against the fastest technique (share of its frame time), in each case and on average. */
 export const regretLimits = { each: 0.05, mean: 0.02 };
 
 /** @param {LabRow | undefined} row @returns {Figures | null} null for a row without figures */
@@ -154,7 +154,7 @@ export function regretReport(run) {
     const [best] = others.sort((a, b) => ms(a) - ms(b));
     if (!auto?.frame || !best) return [];
     const chosen = others.find(({ competitor }) => competitor === auto.technique) ?? best;
-    // auto draws by the technique of its choice: the lesser time has less noise
+    // auto draws by the technique that it chose: of two times of the same work, the lesser has less noise
     const regret = Math.min(ms(auto), ms(chosen)) / ms(best) - 1;
     const isCPU = auto.gpu === null || (auto.cpu?.median ?? 0) > auto.gpu.median;
     return [{ name, auto, best, isCPU, regret: Math.max(0, regret) }];
@@ -191,7 +191,7 @@ const ms = ({ frame }) => frame?.median ?? Number.NaN;
 const percent = (share) => `${(100 * share).toFixed(1)}%`;
 
 /**
- * Figures of this build in a run, if none is doubtful, a case and competitor a line, as the text of apps/lab/reached.json.
+ * Text for apps/lab/reached.json: figures of this build in a run, one line for each case and competitor.
  *
  * @param {LabRun} run
  * @param {Reached | null} before - whose other cases stay, if they are of this device

@@ -1,6 +1,6 @@
 /**
- * The last list given stands: here are Playwright's own, the renderer kept in spare, and the popups of the address bar,
- * two pages that each window loads unseen at half a second of a core.
+ * Features for `--disable-features`. Chromium obeys the last such flag alone, so Playwright's own list is repeated
+ * here, then the spare renderer and the address bar's popups, two hidden pages that cost 0.5 s of CPU in each window.
  */
 const disabledFeatures = [
   'AimEnabled',
@@ -40,7 +40,7 @@ export const softwareFlags = [
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
   '--disable-gpu-rasterization',
-  // the page round the canvas is cheaper to put together without the rasteriser of WebGL
+  // the page round the canvas is composited faster without the software GL
   '--disable-gpu-compositing',
   `--disable-features=${disabledFeatures.join(',')}`,
   // else each program has a pipeline cache of its own, and the rasteriser compiles equal shaders anew

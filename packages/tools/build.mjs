@@ -40,7 +40,7 @@ if (!onlyPackages) {
 }
 if (isSiteAlone) {
   const { to } = parseArgs({ options: { site: { type: 'boolean' }, to: { type: 'string' } } }).values;
-  // npm runs scripts in the repository, and says where it was called
+  // npm runs scripts at the repository's root; INIT_CWD is the folder that it was called in
   if (to !== undefined)
     cpSync(join(root, 'apps/site/dist'), resolve(process.env.INIT_CWD ?? '.', to), { recursive: true });
   process.exit();

@@ -37,7 +37,7 @@ function withoutWgsl() {
  * @returns {Promise<Record<string, { version: string, bytes: number }>>} by competitor's key
  */
 export async function bundleRivals() {
-  // a development server passes its own on, and would get PlayCanvas with its checks
+  // else a development server's own NODE_ENV would get PlayCanvas with its debug checks
   process.env.NODE_ENV = 'production';
   const { build } = await import('vite');
   /** @type {Record<string, { version: string, bytes: number }>} */

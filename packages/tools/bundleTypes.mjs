@@ -6,10 +6,11 @@ import { root } from './root.mjs';
 
 /**
  * Writes the declarations of a package into its dist: a file for each of its exports, and chunks for what they share.
- * Their relative imports have extensions, so that they resolve under `nodenext` too. What no export reaches is left out.
+ * Their relative imports have extensions, so that they resolve under `nodenext` too. What no export reaches is left
+ * out.
  *
  * @param {import('./publishedPackages.mjs').PublishedPackage} published - `tsc -b packages` must have written its
- *   declarations, and its bundle must be in dist: a build of that empties dist
+ *   declarations, and its bundle be built already: building it empties dist
  */
 export async function bundleTypes({ path, manifest }) {
   const from = join(root, '.cache/types', basename(path));

@@ -1,6 +1,6 @@
 /**
- * Content security policy of Farol's pages. Scripts are its own files alone; WebAssembly decodes models; workers are its own or made of
- * its own text; pictures come as bytes. Libraries of controls write style elements.
+ * Content security policy of Farol's pages. Scripts come from the page's own host alone; WebAssembly is allowed
+ * since it decodes models, blobs since workers and pictures are made of bytes, style elements since controls write them.
  *
  * @param {object} [options]
  * @param {boolean} [options.isServed] - the development server puts scripts into pages and pushes changes; default false
@@ -12,12 +12,12 @@ export function contentSecurityPolicy({ isServed = false, runsScripts = false } 
     "default-src 'none'",
     `script-src 'self' 'wasm-unsafe-eval'${runsScripts ? ' blob:' : ''}${isServed ? " 'unsafe-inline'" : ''}`,
     "worker-src 'self' blob:",
-    // the Lab measures in frames of its own
+    // iframes of the Lab's own page, in which it measures
     "frame-src 'self'",
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' data: blob:",
     "font-src 'self' data:",
-    // any host that the user was asked about
+    // any host, since users may open files from anywhere; the page asks them first
     `connect-src 'self' data: blob: https: http:${isServed ? ' ws: wss:' : ''}`,
     "manifest-src 'self'",
     "base-uri 'none'",
@@ -29,8 +29,8 @@ export function contentSecurityPolicy({ isServed = false, runsScripts = false } 
 export const policyElement = (policy) => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
 
 /**
- * Headers of an answer, by its path: pages are shown in frames of their own host alone, so that nobody leads clicks into
- * them; the player's are made to be embedded.
+ * Headers of a response, by path: against clickjacking, only pages of their own host may frame pages; the player's
+ * pages may be framed anywhere.
  *
  * @param {string} path
  * @returns {Record<string, string>}
@@ -39,7 +39,7 @@ export const frameHeaders = (path) =>
   /^\/player(-scripts)?\.html(\?|$)/.test(path) ? {} : { 'content-security-policy': "frame-ancestors 'self'" };
 
 /**
- * Vite plugin: puts the policy into each page, the strict one into what is built.
+ * Vite plugin: puts the policy into each page; only that of built pages forbids inline scripts.
  *
  * @param {object} [options]
  * @param {boolean} [options.runsScripts] - see `contentSecurityPolicy`
@@ -60,7 +60,7 @@ export function securePages({ runsScripts = false } = {}) {
     },
     transformIndexHtml: {
       order: 'post',
-      // before anything that it is about
+      // first in the head: the policy rules only what follows it
       handler: (html) =>
         html.replace('<head>', `<head>\n    ${policyElement(contentSecurityPolicy({ isServed, runsScripts }))}`),
     },

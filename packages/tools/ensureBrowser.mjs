@@ -17,7 +17,7 @@ import { toolPath } from './toolPath.mjs';
 function thisMachine() {
   return {
     find: () => findBrowser(),
-    // Elsewhere than on Linux a browser brings its libraries, and on Windows --version opens a window.
+    // Tried on Linux alone: elsewhere browsers bring their libraries, and on Windows `--version` would open a window.
     starts: (path) =>
       process.platform !== 'linux' || spawnSync(path, ['--version'], { timeout: 60_000, stdio: 'ignore' }).status === 0,
     run: (command, args) => spawnSync(command, args, { stdio: 'inherit' }).status === 0,

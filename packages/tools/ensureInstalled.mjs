@@ -31,7 +31,7 @@ export function ensureInstalled() {
  */
 export function placeProblem(version, folder, mayWrite) {
   const [major, minor] = version.split('.').map(Number);
-  // Vite runs on none between the two
+  // Vite supports no Node from 21 to 22.11
   if (!(major > 22 || (major === 22 && minor >= 12) || (major === 20 && minor >= 19)))
     return `Farol needs Node 20.19 or later of 20, or 22.12 or later, and this is Node ${version}: install a newer one.`;
   const [character] = /[#?*]/.exec(folder) ?? [];

@@ -11,8 +11,9 @@ import { delimiter, join } from 'node:path';
  * @typedef {object} OtherBrowsers paths; null where one is missing
  * @property {string | null} firefox
  * @property {{ driver: string, browser: string } | null} webkit
- * @property {string | null} xvfb gives them a screen in memory, without which Firefox has no WebGL; null where there is a screen
- * @property {readonly string[]} missing by line: a browser, and how it is installed
+ * @property {string | null} xvfb X server with a screen in memory, without which Firefox has no WebGL; null where a
+ *   screen exists
+ * @property {readonly string[]} missing lines, each with a browser that is missing and how to install it
  */
 
 /** @returns {OtherWorld} the machine that this process runs on */

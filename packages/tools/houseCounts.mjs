@@ -19,7 +19,7 @@ const RIDDLE = /^(What|Where|Of|Has|The same)\b/;
 /** Lines that a file of product code may have. */
 export const MOST_LINES = 400;
 
-/** Lines from which on a file is a thought of its own, whoever imports it. */
+/** Lines from which on a file may stand by itself although one neighbour alone imports it. */
 const FEWEST_LINES = 15;
 
 /**

@@ -162,7 +162,7 @@ export const importRules = [
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
   { from: 'apps/site', may: ['apps/site', 'public', '*'] },
   {
-    // of the Lab types alone: the rest is bundled apart from it
+    // of the Lab's other sources types alone, since the other engines are bundled apart from them
     from: 'apps/lab/rivals',
     may: ['apps/lab/rivals', 'apps/lab/src/competitors/rivals', '*'],
     types: ['apps/lab/src'],
@@ -291,7 +291,7 @@ function declared(name, path, manifests) {
   // e2e is no workspace: it belongs to the root, whose packages are linked in
   if (workspace === undefined) return name.startsWith('@farol/') || name in (manifests.get('')?.devDependencies ?? {});
   const own = manifests.get(workspace);
-  // an app is built, not published
+  // apps and packages that are bundled whole may use devDependencies: nobody installs these to use what was built
   const isBuilt = path.startsWith('apps/') || takenIn.includes(name);
   return name in { ...own?.dependencies, ...own?.peerDependencies, ...(isBuilt ? own?.devDependencies : {}) };
 }

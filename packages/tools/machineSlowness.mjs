@@ -12,7 +12,7 @@ function sceneLikeText() {
   return JSON.stringify(Array.from({ length: 8000 }, (_, i) => ({ id: `object-${i}`, components })));
 }
 
-/** An object of a component, as the work reads it. @param {{ type: string, values: Record<string, number> }} component */
+/** Makes objects of a component's JSON. @param {{ type: string, values: Record<string, number> }} component */
 function partOf({ type, values }) {
   const matrix = Array.from({ length: 16 }, () => 0);
   return { type, matrix, values: { ...values }, byName: new Map(Object.entries(values)) };
@@ -31,9 +31,9 @@ export function workSeconds() {
 }
 
 /**
- * How many times longer than on the reference machine, a core of the Intel Xeon of an H100 host under Node 20, a process
- * needs now for the same work: 1 where it is as fast or faster. Limits of time in tests are multiplied by it: it tells a
- * slow machine, or one that is busy just now, from slow code. It uses none of Farol's code, and takes half a second.
+ * How many times as long as the reference machine (one Intel Xeon core of an H100 host, Node 20) this machine needs now
+ * for the same work; 1 where it is as fast or faster. Limits of time in tests are multiplied by it: it tells a slow
+ * machine, or one that is busy just now, from slow code. It uses none of Farol's code, and takes half a second.
  *
  * @param {() => number} [work] - does it once; returns the time that this took (s)
  * @returns {number}

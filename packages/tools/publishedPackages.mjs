@@ -37,7 +37,7 @@ export function packedPackages(checkout = root) {
 export const builtPackages = (checkout = root) => packedPackages(checkout).filter(({ manifest }) => manifest.exports);
 
 /**
- * Packages for the registry that pages import: those that are built for a page's three.
+ * Packages for the registry that pages import: those built packages that use the page's own copy of three.
  *
  * @param {string} [checkout] - folder of a repository; default this one
  */

@@ -1,16 +1,16 @@
 import { basename, dirname } from 'node:path/posix';
 
-/** Unit tests of the whole repository's order, quick enough to run after any change. */
+/** Unit tests that hold rules of the whole repository, quick enough to run after any change. */
 const house = ['importDirection', 'importCircles', 'noClocks', 'shaderLines', 'subjects', 'texts'];
 
 /**
- * Unit tests that a change is likely to break: those beside a changed file, those that import it, and those beside what
- * imports it that have its name.
+ * Unit tests that a change is likely to break: those in the folder of a changed file, those that import it, and the
+ * tests of files that import it (`X.test.ts` of `X.ts`).
  *
  * @param {readonly string[]} changed - paths from the repository's root, with `/`
  * @param {ReadonlyMap<string, string>} files - source of all TypeScript files, by path
  * @param {import('./importCircles.mjs').ImportGraph} imports - of those files
- * @returns {string[]} paths, sorted; those of the repository's order included
+ * @returns {string[]} paths, sorted; those of `house` included
  */
 export function relatedTests(changed, files, imports) {
   const isTest = (/** @type {string} */ path) => /\.test\.tsx?$/.test(path);

@@ -34,7 +34,7 @@ export function copyBuilt(folder) {
   const built = join(folder, 'built');
   for (const [name, source] of Object.entries(appFolders)) {
     const dist = join(root, source, 'dist');
-    // of `npm run verify` alone
+    // the site is built for `npm run verify` alone
     if (name === 'site' && !existsSync(join(dist, 'index.html'))) continue;
     if (!existsSync(join(dist, 'index.html')))
       throw new Error(`${source} is not built: run the stage build before, or "npm run build -- --tests".`);

@@ -3,8 +3,8 @@ import { readFileSync } from 'node:fs';
 const QUERY = '?run-info';
 
 /**
- * Vite plugin: `import info from './run.json?run-info'` gives of a run of the Lab what a list shows of it (`RunInfo` of
- * apps/lab), so that the run itself need not be fetched for it.
+ * Vite plugin: `import info from './run.json?run-info'` gives a summary of a run of the Lab (`RunInfo` of apps/lab), so
+ * that a list of runs need not fetch the runs themselves.
  *
  * @returns {import('vite').Plugin}
  */

@@ -28,7 +28,7 @@ await withEditor('scene=empty', { width: 1280, height: 800 }, async (page) => {
       editor.layout.maximise('viewport');
       viewport.showGrid = false;
       viewport.showIcons = false;
-      // a frame asks for the code of effects, which is fetched; fog and others gather frames
+      // a frame starts fetching the code of effects that it needs; fog and some others average several frames
       for (let calm = 0, count = -1; calm < 3;) {
         viewport.renderNow();
         await new Promise((resolve) => setTimeout(resolve, 4000));

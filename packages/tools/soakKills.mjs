@@ -2,8 +2,8 @@
  * @typedef {import('playwright-core').BrowserContext} BrowserContext
  * @typedef {import('playwright-core').Page} Page
  * @typedef {{ mode: string, offered: boolean, edits: number, stored: number, kept: number, lost: number, lostMs: number, stallMs: number }} Kill
- *   edits that were made, the last that was told to be in a draft, the last that is there, and how many are gone; the age
- *   of the oldest of these at the kill, and the longest that the page's own thread stood still in the seconds before (ms)
+ *   edits: made in all; stored: last one that the page reported as stored; kept: last one in the draft that was offered;
+ *   lost: count of later ones; lostMs: age of the oldest lost one; stallMs: longest block of the page's thread before (ms)
  */
 
 /** Kinds of edits during which the tab is killed. */
@@ -78,7 +78,7 @@ export async function killTab(context, { url, random, mode }) {
       );
     });
   }
-  // as if it was saved: nothing of this one is offered to the next
+  // ends as if the document was saved, so that the next killed tab's drafts are the only ones offered
   await next.evaluate(async () => {
     const { autosave, commands } = /** @type {any} */ (window).editor;
     commands.markSaved();
@@ -125,7 +125,7 @@ function edit({ mode, step: pause }) {
   const page = /** @type {any} */ (window);
   const { autosave, commands, document } = page.editor;
   let n = 0;
-  // what was edited when a draft was stored is in the next one, which is read from then on
+  // `stored` is told of a draft later than it began: edits made by one `stored` are surely in the next draft
   let [stored, atDraft] = [0, 0];
   autosave.stored.subscribe(() => ([stored, atDraft] = [atDraft, n]));
   let last = performance.now();

@@ -9,7 +9,7 @@ const WARM_UP = 0.25;
 /** Samples, once warm, from which a slope is believed. */
 const ENOUGH = 12;
 
-/** How many standard errors a slope must differ from none to count. */
+/** How many standard errors away from zero a slope must be to count. */
 const CERTAIN = 4;
 
 /** Growth over a whole run that is not called a leak (heap in kB, objects on the GPU). */

@@ -7,7 +7,7 @@ import { growthOf } from './soakReport.mjs';
  *   table: Record<string, number>, left: Record<string, number> }} SoakResult left: GPU objects once all is disposed
  */
 
-/** Messages about a context that the soak itself takes away, and about views of what a frame does not have. */
+/** Console messages that the soak itself causes by lost contexts, and by views of buffers that a frame lacks. */
 const expected = [
   /CONTEXT_LOST_WEBGL: loseContext/,
   /GPU stall due to ReadPixels/,

@@ -37,7 +37,7 @@ export const subjects = [
   ['packages/bake', ['render/bake']],
 
   ['packages/engine/src/animation', ['editor/timeline']],
-  ['packages/engine/src/audio', []], // by their unit tests
+  ['packages/engine/src/audio', []], // held by unit tests alone
   ['packages/engine/src/components', ['editor/components']],
   ['packages/engine/src/files', ['editor/files']],
   ['packages/engine/src/physics', ['editor/physics']],
@@ -50,13 +50,13 @@ export const subjects = [
 
   ['packages/editing', ['editor/fields', 'examples/attach']],
   ['packages/attach', ['examples/attach']],
-  ['packages/create-farol', []], // by its unit tests
+  ['packages/create-farol', []], // held by unit tests alone
   ['packages/mcp', ['editor/agent']],
-  ['packages/tools', []], // by their unit tests
+  ['packages/tools', []], // held by unit tests alone
 
   ['apps/site/live/thesis', ['thesis/thesis']],
   ['apps/site/live', ['gallery/gallery']],
-  ['apps/site', []], // by the tests of the site
+  ['apps/site', []], // held by the site's own tests, not by browser specs
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
   ['apps/lab/src/results', ['lab/keeping']],
@@ -100,7 +100,7 @@ export const subjects = [
   ['apps/editor/src/panels/welcome', ['editor/welcome']],
   ['apps/editor', ['editor/journey']],
 
-  ['e2e', []], // itself, where it is a spec
+  ['e2e', []], // a changed spec runs itself
 ];
 
 /**

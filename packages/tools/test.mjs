@@ -21,7 +21,7 @@ import { stagePlan } from './stagePlan.mjs';
 import { endWithScripts, startScript, startTool } from './startTool.mjs';
 import { addTallies, playwrightTally, tallyLine, vitestTally } from './tally.mjs';
 
-/** Maximum number of failed tests that are run once more: more of them are no chance. */
+/** Maximum number of failed tests that are run once more: more failures than that are not due to chance. */
 const MOST_AGAIN = 20;
 
 const { values, positionals } = parseArgs({

@@ -2,8 +2,8 @@ import { join } from 'node:path';
 import { root } from './root.mjs';
 
 /**
- * Modules that scripts are given whole, by the id that a page imports them by. A page that took the module's own namespace
- * would keep its whole index, and all that this exports, in the script of its first frame.
+ * Modules that scripts are given whole, by the id that a page imports them by. A page that imported such a module's
+ * namespace directly would keep all its exports in the script of its first frame.
  *
  * @type {Record<string, string>}
  */
@@ -14,7 +14,7 @@ const wholes = {
 };
 const sources = join(root, 'node_modules/three/src');
 
-/** As three's own build strips its shaders. @param {string} glsl */
+/** Strips GLSL of comments and blank lines, as three's own build does. @param {string} glsl */
 const stripGlsl = (glsl) =>
   glsl
     .trim()

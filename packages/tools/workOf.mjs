@@ -109,12 +109,12 @@ export async function workOf(run) {
 }
 
 /**
- * How many times the work of `count` the work of four times as many is: 4 where it grows with their number, 16 where it
- * grows with its square.
+ * Ratio of the work for `4 * count` to the work for `count`: 4 where work grows linearly, 16 where it grows with the
+ * square.
  *
  * @param {number} count
- * @param {(count: number) => (() => unknown) | Promise<() => unknown>} prepare - does what is not counted; returns the work,
- *   which may be asynchronous
+ * @param {(count: number) => (() => unknown) | Promise<() => unknown>} prepare - does what is not counted; returns the
+ *   work, which may be asynchronous
  */
 export async function growthOf(count, prepare) {
   const few = await workOf(await prepare(count));

@@ -13,10 +13,10 @@ const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(res
 /**
  * Measures what one case costs.
  *
- * Its time is that in which this process worked, garbage collection included, and in which its event loop had nothing
- * to do but wait: for a timer, a stream, a worker. So a case that waits is as slow as one that works. What is left of
- * the time on the wall is that in which other processes had the processor. A synchronous wait would be left too: pages
- * have none. It is never more than the time on the wall, which threads that work at once would make it.
+ * Its time is the CPU time of this process, garbage collection included, plus the time that its event loop was idle,
+ * waiting for a timer, a stream or a worker: a case that waits counts as slow as one that works. Time in which other
+ * processes had the processor is not counted, nor a synchronous wait, which pages do not have. The sum is cut to the
+ * wall-clock time, which several threads at work would exceed.
  */
 export class CaseMeter {
   /** Time of the longest lap. */
@@ -33,7 +33,7 @@ export class CaseMeter {
 
   private constructor(
     private readonly collect: (() => void) | null,
-    /** Only a whole collection clears it: not one of young objects, which frees less than `youngBytes`. */
+    /** Cleared by a full garbage collection alone, not by one of young objects, which frees less than `youngBytes`. */
     private readonly canary: WeakRef<object>,
   ) {
     this.restart();
@@ -50,7 +50,7 @@ export class CaseMeter {
     return new CaseMeter(collect, canary);
   }
 
-  /** Ends a lap. What collecting garbage by force takes is no part of one. */
+  /** Ends a lap; the time of a forced garbage collection is part of no lap. */
   lap(): void {
     const { user, system } = process.cpuUsage(this.work);
     const idle = performance.eventLoopUtilization().idle - this.idle;
@@ -72,7 +72,7 @@ export class CaseMeter {
   }
 }
 
-/** Bytes of young objects of earlier cases that may be collected in a case without being told of. */
+/** Most bytes of earlier cases' young objects that can be collected during a case without `isBlurred` showing it. */
 export const youngBytes = 16 * 2 ** 20;
 
 setFlagsFromString('--expose-gc');
@@ -82,6 +82,6 @@ const collect = runInNewContext('gc') as () => void;
 /** Collects all garbage, also in a thread that was started without `--expose-gc`. */
 export function collectGarbage(): void {
   collect();
-  // the memory of array buffers is given back beside the program; the next collection waits for that
+  // the memory of array buffers is freed on another thread; a second collection waits for that
   collect();
 }

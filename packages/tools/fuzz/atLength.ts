@@ -1,7 +1,6 @@
 /**
- * Bundled into one file and run by `npm run fuzz`: many cases in several processes at once. That file runs wherever
- * Node is:
- * `node fuzz.mjs --help`.
+ * Entry that `npm run fuzz` bundles into one file and runs: many cases in several processes at once. The file needs
+ * Node alone: `node fuzz.mjs --help`.
  */
 import { fork } from 'node:child_process';
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -49,7 +48,7 @@ function wholeNumber(name: string, text: string, least: number): number {
 
 /** Runs the batches that the parent process sends, in a child process. */
 function answerBatches(): void {
-  // three tells the console of what it reads in models: that is no fault
+  // three writes warnings about damaged models to the console: they are no fault
   for (const method of ['warn', 'error', 'log'] as const) console[method] = () => {};
   process.on('message', ({ seed, cases }: { seed: number; cases: number }) => {
     void runCases(seed, cases).then((summary) => {

@@ -11,7 +11,7 @@ import { hostileValue, mutate, mutateBytes, textOf } from './hostileValues';
 export const fuzzKinds = ['scene', 'zip', 'link', 'glb', 'xml', 'glsl', 'ply'] as const;
 export type FuzzKind = (typeof fuzzKinds)[number];
 
-/** Something that a stranger may give. */
+/** An untrusted file to open. */
 export interface FuzzCase {
   readonly kind: FuzzKind;
   readonly bytes: Uint8Array<ArrayBuffer>;
@@ -103,7 +103,7 @@ export function sceneCase(random: FuzzRandom): FarolFile {
   };
 }
 
-/** The text of a clip: most are well, some are not. */
+/** JSON text of an animation clip, most often a valid one. */
 function clipOf(random: FuzzRandom): string {
   const value = (): unknown => (random.once(9) ? hostileValue(random) : [random.next(), 1, -2]);
   const track = (): unknown => ({

@@ -94,7 +94,7 @@ async function openScene({ kind, bytes }: FuzzCase, open: OpenScene): Promise<Sc
 
 /**
  * Checks a scene that was opened.
- * @param measure - called while the scene is all there is of the case; from then on it is another file that is opened
+ * @param measure - called before the saved scene is opened as a second scene, to measure the first one alone
  * @returns its fault; null when there is none
  */
 async function checkScene(scene: Scene, open: OpenScene, measure: () => void): Promise<string | null> {
@@ -117,7 +117,7 @@ function differ(a: string, b: string): string {
   return `${a.slice(at - 40, at + 60)} | ${b.slice(at - 40, at + 60)}`;
 }
 
-/** @param measure - called when the memory is taken that the case needs; a second scene for the check is none of it */
+/** @param measure - called once the file is open, before `checkScene` makes a second scene */
 async function open(given: FuzzCase, other: OpenScene, measure: () => void): Promise<string | null> {
   const { kind, bytes } = given;
   if (kind === 'xml') void parseMicroShaderXML(text(bytes), 'fuzz.xml');
@@ -179,9 +179,9 @@ async function runOnce(
 }
 
 /**
- * Opens a case as a user would, and checks what came of it. Garbage, its own and that of earlier cases, is counted at first:
- * where memory is near its limit or cannot be told, or anything beyond it, the case is run again with garbage collected
- * before and after, and that decides. What is wrong in any other way is wrong at once.
+ * Opens a case as a user would, and checks the result. The first run counts garbage as memory, its own and that of
+ * earlier cases. If its time or memory is over the limit, or its memory near it or not known (`isBlurred`), a second
+ * run with garbage collected before and after decides. Any other failure counts at once.
  */
 export async function runCase(given: FuzzCase, budget = fuzzBudget): Promise<FuzzResult> {
   const { isBlurred, ...result } = await runOnce(given, budget, null);

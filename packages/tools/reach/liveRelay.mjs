@@ -2,7 +2,7 @@ import { createHash, timingSafeEqual } from 'node:crypto';
 import { WebSocketServer } from 'ws';
 import { livePath } from './livePath.mjs';
 
-/** Bounds of what a page or an agent may send, bytes but for `looks`, pages that look at one scene, and `agents`. */
+/** Limits of what a page or an agent may send (bytes), of agents, and of pages that look at one scene (`looks`). */
 export const liveLimits = {
   ...{ edit: 64e6, look: 1000, agent: 1e6, asset: 256e6, assets: 1e9, unsent: 128e6 },
   ...{ looks: 32, agents: 8 },
@@ -23,7 +23,7 @@ const kinds = { edit: ['whole', 'parts', 'end', 'play'], look: ['again'], allow:
  * @property {Map<string, Buffer>} assets - bytes by their SHA-256 (hex)
  */
 
-/** Whether a text is the secret one, in a time that tells nothing of it. @param {string | null | undefined} text @param {string} secret */
+/** Compares in constant time. @param {string | null | undefined} text @param {string} secret */
 export function isSecret(text, secret) {
   const digest = (/** @type {string} */ each) => createHash('sha256').update(each).digest();
   return typeof text === 'string' && timingSafeEqual(digest(text), digest(secret));
@@ -96,7 +96,7 @@ export class LiveRelay {
    */
   upgradeAgent(request, socket, head) {
     const { origin, host, 'x-farol-agent': key } = request.headers;
-    // browsers name an origin; over HTTPS, `serveToNetwork` lets other machines in
+    // a browser's request has an origin; one over HTTPS may come from another machine: see `serveToNetwork`
     const isHere = origin === undefined && !('encrypted' in request.socket) && isLocalHost(host);
     if (!isHere || !this.agentKey || !isSecret(String(key), this.agentKey)) return refuse(socket, '403 Forbidden');
     if (this.agents.size >= liveLimits.agents) return refuse(socket, '503 Service Unavailable');
@@ -283,8 +283,8 @@ function pass(socket, text) {
 }
 
 /**
- * Whether a request comes from a page of this server. Without HTTPS, and so without the token, it must be under a name of
- * this machine: a name elsewhere may have been led here.
+ * Whether a request comes from a page of this server. Without HTTPS, and so without the token, its host must be a name
+ * of this machine: another name may lead here by DNS rebinding.
  *
  * @param {import('node:http').IncomingMessage} request
  */

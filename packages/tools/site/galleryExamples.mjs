@@ -86,8 +86,8 @@ export function readFigures() {
 }
 
 /**
- * Sizes of the scripts that an example loads before its first frame, gzipped, from what was built, and none of three's where
- * they are in those of a worker; nothing before the first build. Code that Farol fetches once a scene needs it comes on top.
+ * Gzipped sizes of the built scripts that an example loads before its first frame, without code that Farol fetches once
+ * a scene needs it; empty before the first build. In a worker's bundle, three's code counts among `others`.
  *
  * @returns {Record<string, { three: number, others: number }>} bytes by name: three's, all others
  */

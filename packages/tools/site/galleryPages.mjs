@@ -3,8 +3,8 @@ import { join } from 'node:path';
 import { galleryFolder, readExamples, readSpanish } from './galleryExamples.mjs';
 
 /**
- * Section of an example's page, for the site's search, which reads no page that a script lists: its title as of a section
- * around, as in apiSections, so that guides with the same words come first.
+ * Section of an example's page for the site's search, which reads no generated page by itself: its title is given as a
+ * parent title, as in apiSections, so that guides with the same words rank higher.
  *
  * @param {'en' | 'es'} language
  * @param {string} name - of the page's file, without ending

@@ -71,7 +71,7 @@ function countBy(list, key) {
 }
 
 /**
- * Bar of the API's pages.
+ * Sidebar of the API's pages.
  *
  * @returns {{ text: string, items: { text: string, link: string }[] }[]} a group of each package
  */
@@ -88,7 +88,7 @@ export function apiBar() {
 }
 
 /**
- * Sections of a page of the API, for the site's search: names alone, as of a section around, which weigh less than titles.
+ * Sections of an API page for the site's search: names alone, as parent titles, which weigh less than a section's own.
  *
  * @param {string} name - of the page's file, without ending
  * @returns {{ anchor: string, titles: string[], text: string }[]}

@@ -104,7 +104,7 @@ class Code {
     return `const ${this.valued(node, node.init)}`;
   }
 
-  /** A name with its type and value, or that of a function without its body. @param {Node} node @param {Node} value */
+  /** Name, type and value of a constant; a function without its body. @param {Node} node @param {Node} value */
   valued(node, value) {
     if (!value) return this.text(node.start, node.end);
     const typed = (node.id ?? node).typeAnnotation ?? node.typeAnnotation;

@@ -9,14 +9,14 @@ import { excerptsOf } from './excerpts.mjs';
 /**
  * An example of an export: an excerpt of code that tests compile and run.
  *
- * @typedef {import('./excerpts.mjs').Excerpt & { path: string, of: string }} Example
- *   path: its file, from the repository's root; of: export that it uses, another where that takes or gives the type
+ * @typedef {import('./excerpts.mjs').Excerpt & { path: string, of: string }} Example path: its file, from the
+ *   repository's root; of: export that it uses: for a type, it may be one that takes or returns the type
  */
 
-/** Cost of an excerpt for being of a unit test. */
+/** Cost that an excerpt has for coming from a unit test. */
 const TEST = 30;
 
-/** Code that tests run, as readers best learn from it: less is shown rather. @type {{ files: RegExp, cost: number }[]} */
+/** Code that tests run; the less readers learn from it, the higher its cost. @type {{ files: RegExp, cost: number }[]} */
 const sources = [
   { files: /^e2e\/samples\/.*\.tsx?$/, cost: 0 },
   { files: /^(README|packages\/\w+\/(README|docs\/[\w-]+))\.md$/, cost: 0 },

@@ -197,7 +197,7 @@ class ExcerptFile {
     return `${isAwaited ? 'await ' : ''}${this.text(matcher === 'toThrow' && actual.body ? actual.body : actual)}; // ${result}`;
   }
 
-  /** A long class or function, with what is short of its beginning. @param {string} text */
+  /** Shortens the code of a long class or function to its first members or statements. @param {string} text */
   cut(text) {
     const lines = text.split('\n');
     const end = lines.findLastIndex((line, i) => i < MOST_LINES - 2 && /^ {2}\S|^$/.test(line));
