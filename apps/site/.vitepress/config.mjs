@@ -12,7 +12,7 @@ import { english, groups, spanish } from './navigation.mjs';
 const pages = sitePages();
 
 export default defineConfig(({ command }) => ({
-  // in what is built, found out by the page: see relativeBase.mjs
+  // a built page finds its base itself when it loads: see relativeBase.mjs
   base: command === 'build' ? placeholderBase : '/',
   srcDir: 'pages',
   outDir: 'dist',

@@ -1,4 +1,4 @@
-/** Bars of the site, in the order that a reader needs the pages in. */
+/** Sidebars of the site, in the order that a reader needs the pages in. */
 import { guides as guidePages } from '@farol/tools/guides';
 
 /** @param {string} text @param {string} link */
@@ -38,7 +38,7 @@ const techniques = [
 ];
 
 /**
- * Bar of the thesis's pages.
+ * Sidebar of the thesis's pages.
  *
  * @param {string} text
  * @param {string} folder

@@ -34,7 +34,7 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three', 'react', 'react-dom'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  // found late, they would bring a three or React of their own
+  // bundled at start: dependencies found later would be bundled with a second copy of three or React
   optimizeDeps: {
     entries: ['index.html', 'gallery/*', 'thesis/*', 'techniques/*'],
     include: ['@react-three/drei', '@react-three/fiber', 'postprocessing', 'react', 'react-dom/client', 'three'],

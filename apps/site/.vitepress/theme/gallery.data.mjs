@@ -3,7 +3,7 @@ import { readExamples, readFigures, readSizes, readSpanish } from '@farol/tools/
 /** Examples that the gallery begins with. */
 const first = ['night-street', 'thousand-lights', 'campfire', 'first-lamp', 'water-surface', 'ten-thousand-lights'];
 
-/** The gallery's examples with their figures, and the bytes of what was built. */
+/** The gallery's examples with their figures and the sizes of their built scripts (bytes). */
 export default {
   watch: ['../../live/gallery/*'],
   load() {

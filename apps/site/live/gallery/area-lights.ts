@@ -53,7 +53,7 @@ for (const [i, geometry] of [
   pots.push(pot);
 }
 
-/** A light, and what shines there. */
+/** Adds an area light and a glowing mesh of its shape. */
 function shine(
   color: number,
   intensity: number,

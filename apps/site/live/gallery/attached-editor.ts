@@ -51,7 +51,7 @@ function resize(): void {
 }
 addEventListener('resize', resize);
 resize();
-webgl.setAnimationLoop(() => webgl.render(scene, camera)); // the page as it was
+webgl.setAnimationLoop(() => webgl.render(scene, camera)); // stock three goes on drawing the page
 
 const editor = attachEditor(scene, camera, webgl);
 editor.selected = pot;

@@ -41,7 +41,7 @@ const lights = Array.from({ length: 7 }, (_, i) => {
 });
 
 const chunk = farol.microshaders.get('lightAttenuation')!;
-// the packages have no blanks round operators
+// published GLSL has no blanks round operators, hence ` ?`
 const line = /float falloff ?= ?window[^;]*;/;
 const original =
   'float falloff = window * window / max(decay == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * decay), 0.01);';
@@ -68,7 +68,7 @@ function compile(): void {
     farol.microshaders.replace('lightAttenuation', { ...chunk, header: chunk.header.replace(line, () => text.value) });
     problem.value = '';
   } catch (error) {
-    problem.value = String(error).slice(0, 200); // the last good one goes on drawing
+    problem.value = String(error).slice(0, 200); // the microshader that last compiled goes on drawing
   }
 }
 function choose(): void {

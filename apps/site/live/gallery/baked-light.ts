@@ -60,7 +60,7 @@ scene.add(panel, plate, lamp);
 const output = document.createElement('output');
 output.className = 'panel';
 document.body.append(output);
-/** Bakes what stands still; the picture shows it as it becomes better. */
+/** Bakes the light of what does not move; the picture shows the bake as it becomes better. */
 async function bake(): Promise<void> {
   const baked = await bakeLightmaps(webgl, scene, {
     ...{ size: 256, bounces: 3, samples: 48 },

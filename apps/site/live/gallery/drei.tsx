@@ -80,7 +80,7 @@ function Page() {
   );
 }
 
-document.querySelector('canvas')?.remove(); // Canvas brings its own
+document.querySelector('canvas')?.remove(); // `<Canvas>` makes a canvas of its own
 const root = document.createElement('div');
 root.style.cssText = 'width: 100vw; height: 100vh';
 document.body.append(root);

@@ -50,10 +50,10 @@ for (let i = 0; i < 5; i++) {
   figure.add(new THREE.Mesh(body, marble), skull);
   figure.traverse((object) => {
     object.castShadow = true;
-    object.layers.enable(i + 1); // 0, which all lights reach, and its own
+    object.layers.enable(i + 1); // each figure is on layer 0, which all lights reach, and on its own
   });
   const rim = new THREE.PointLight(new THREE.Color().setHSL(i / 5, 1, 0.5), 34, 5);
-  rim.layers.set(i + 1); // neither the stage nor the other figures get any of it
+  rim.layers.set(i + 1); // only this figure shares a layer with its rim light
   rims.push(rim);
   camera.layers.enable(i + 1);
   figure.add(rim);

@@ -83,7 +83,7 @@ webgl.setAnimationLoop((milliseconds) => {
     light.position.set(2.6 * Math.cos(angle), 0.5 + 0.5 * (i % 5), 1.6 + 2.2 * Math.sin(angle));
   }
   for (const [i, { eye, target }] of eyes.entries()) {
-    if (i % 3 !== turn % 3) continue; // two of the six a frame
+    if (i % 3 !== turn % 3) continue; // two of the six cameras draw in each frame
     const angle = (i / 6) * 2 * Math.PI + 0.2 * seconds;
     eye.position.set(2.3 * Math.cos(angle), 0.6 + 0.5 * i, 1.6 + 2.3 * Math.sin(angle));
     eye.lookAt(0, 1.1, 1.6);

@@ -50,7 +50,7 @@ const normals = ball.morphAttributes.position.map((position) => {
 });
 ball.morphAttributes.normal = normals;
 
-/** Normals of a geometry without doubled points, for each point of the one with them. */
+/** Normals of `merged`, whose coinciding vertices are one, for each vertex of the geometry before merging. */
 function smoothNormals(merged: THREE.BufferGeometry, count: number): Float32Array {
   const all = new Float32Array(3 * count);
   const { normal } = merged.attributes;

@@ -61,7 +61,10 @@ export async function drawBoth(
   return { ...pictures, technique, leftOut };
 }
 
-/** Settings of a FarolRenderer that change the picture, and microshaders that were edited. */
+/**
+ * Resets settings and edited microshaders that stock three has no equal of; returns the names of those that were in
+ * use.
+ */
 function takeAway(farol: FarolRenderer): string[] {
   const leftOut: string[] = farol.effects.map(({ name }) => name);
   farol.effects = [];
@@ -82,7 +85,7 @@ function takeAway(farol: FarolRenderer): string[] {
       microshaders.remove(name);
       leftOut.push(`microshader ${name}`);
     } catch {
-      // throws for a chunk that was never edited: nothing to leave out
+      // `remove` throws for a chunk that was never edited: nothing to reset
     }
   }
   return leftOut;

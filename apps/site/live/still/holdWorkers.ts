@@ -8,7 +8,7 @@ export async function holdWorkers(): Promise<void> {
   window.Worker = class extends window.Worker {
     constructor(url: string | URL, options?: WorkerOptions) {
       const { href } = new URL(url, location.href);
-      // workers made of text hold no example
+      // workers from blob: addresses run no live module
       const isHeld = options?.type === 'module' && !href.startsWith('blob:');
       super(isHeld ? stillWorker : url, isHeld ? { ...options, name: href } : options);
       if (!isHeld) return;

@@ -22,11 +22,11 @@ import {
 import { Figure } from './frame/Figure';
 import { lamps, room } from './frame/room';
 
-/** Slices of a tile's depth range, as the bits of one word (Harada 2012). */
+/** Number of slices of a tile's depth range, a bit of one 32-bit word each (Harada 2012). */
 const SLICES = 32;
 /** Layer of what only the view from the side shows. */
 const SIDE_LAYER = 1;
-/** Depths that are sampled along a side of the tile. */
+/** Number of points along a side of the tile at which depth is sampled. */
 const SAMPLES = 8;
 
 const figure = new Figure({ from: [3.6, 3, 7.2], at: [0, 1, 0], far: 30, farol: { technique: 'clustered-forward' } });

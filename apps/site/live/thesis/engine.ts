@@ -42,7 +42,7 @@ lamp.addComponent(RandomMovement, { seed: 4, extent: [1, 0.3, 1], speed: 1 });
 const sky = object('Sky', {});
 sky.addComponent(Light, { type: 'ambient', intensity: 0.25 });
 
-/** A box that switches a component, or a whole object with its children. */
+/** A checkbox that switches a component, or a whole object with its children. */
 function box(name: string, label: string, part: Component | GameObject): HTMLLabelElement {
   const input = document.createElement('input');
   Object.assign(input, { type: 'checkbox', name, checked: true });

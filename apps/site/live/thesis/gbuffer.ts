@@ -115,7 +115,7 @@ const rows = (
 figure.strip.append(table);
 figure.drawFrame = () => {
   farol.render(scene, camera);
-  // the program of a view is compiled once a picture is shown
+  // the probe's program is compiled only after the first picture is shown
   if (farol.effects.length === 1) {
     farol.effects = [view, probe];
     figure.redraw();

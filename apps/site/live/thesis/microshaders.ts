@@ -81,7 +81,7 @@ editor.setAttribute(
 /** Composes the chosen pieces and puts the shader on every body. */
 function compose(): void {
   const fragment = fragmentOf();
-  // compiles it too, by the name that stands for this choice, or gives the one that was compiled before
+  // also compiles the program, or finds one compiled before under the same name
   registry.getShader(fragment.join('+'), ['transform'], fragment);
   const { vertexShader, fragmentShader } = registry.compose(['transform'], fragment);
   const precision = 'precision highp float;\n';

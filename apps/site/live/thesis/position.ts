@@ -66,7 +66,7 @@ controls.range({
   },
 });
 
-/** The pixel that the way back is shown of, in normalised device coordinates. */
+/** Pixel (normalised device coordinates) whose position the text rebuilds step by step. */
 const at = new Vector2(0.15, -0.1);
 const steps = document.createElement('pre');
 steps.tabIndex = 0;

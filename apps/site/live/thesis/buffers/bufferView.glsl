@@ -4,12 +4,12 @@
 #include "heatMap"
 #include "viewport"
 uniform highp vec2 farol_size;
-uniform highp vec2 thesis_depths; // m: shown black and white
+uniform highp vec2 thesis_depths; // distances (m) that are shown black and white
 uniform highp mat4 thesis_viewInverse;
 uniform highp sampler2D thesis_texture; // lighting, or the tiles' depth bounds
 uniform highp int thesis_show;
 uniform highp float thesis_from; // first pixel column that is shown
-uniform highp float thesis_channel; // -1: all
+uniform highp float thesis_channel; // channel that is shown alone, 0 to 2; -1: all
 vec3 thesis_grey(const in float distanceVS) {
   return vec3(log(distanceVS / thesis_depths.x) / log(thesis_depths.y / thesis_depths.x));
 }

@@ -6,7 +6,7 @@ uniform highp vec2 farol_size;
 uniform highp sampler2D farol_sums0;
 uniform highp sampler2D farol_sums2;
 uniform highp float thesis_scale; // texels of the buffers for each pixel of the picture
-uniform highp vec2 thesis_depths; // m: shown black and white
+uniform highp vec2 thesis_depths; // distances (m) that are shown black and white
 uniform highp int thesis_show;
 vec3 thesis_encoded(const in vec3 color) { return linearToOutputTexel(vec4(color, 1.0)).rgb; }
 //# main

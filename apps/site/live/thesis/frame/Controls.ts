@@ -9,9 +9,9 @@ interface Entry<V> {
 export interface RangeEntry extends Entry<number> {
   readonly min: number;
   readonly max: number;
-  /** Default 1. */
+  /** Smallest change of the slider. Default 1. */
   readonly step?: number;
-  /** Text of a value. Default: the number. */
+  /** Text shown for a value. Default: the number. */
   format?(value: number): string;
 }
 
@@ -21,8 +21,8 @@ export interface ChoiceEntry<V extends string> extends Entry<V> {
 }
 
 /**
- * Controls of a figure in plain HTML. Each begins with the address's value for its name, or its own; `change` is called once
- * with that, and after each change of the reader's, before the figure is drawn.
+ * Controls of a figure in plain HTML. A control begins with the value that the address has for its name, else with its
+ * own `value`; `change` is called once with it, then after each change by the reader, before the figure is drawn.
  */
 export class Controls {
   readonly element = document.createElement('div');

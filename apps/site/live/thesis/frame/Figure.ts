@@ -107,7 +107,7 @@ export class Figure {
     this.fit();
   }
 
-  /** The text in the page's language. */
+  /** Of two texts, returns the one in the page's language. */
   say(english: string, spanish: string): string {
     return this.isSpanish ? spanish : english;
   }
@@ -188,7 +188,7 @@ export class Figure {
     step(0);
   }
 
-  /** Draws before long. */
+  /** Draws in the next animation frame. */
   readonly redraw = (): void => {
     if (this.request === 0) this.request = requestAnimationFrame(this.frame);
   };

@@ -1,8 +1,8 @@
 /** A row of the thesis's tables of 4.2.2: counts of the scene, and frames a second as they stand there; null for none. */
 export interface ThesisRow {
-  /** Planes along a side; missing in the other scenes. */
+  /** Number of planes along a side of the grid; missing in scenes without planes. */
   readonly n?: number;
-  /** Lights, along a side where there are planes. */
+  /** Number of lights: along a side of the grid where there are planes, else of the whole scene. */
   readonly m: number;
   readonly forward: string | null;
   readonly deferred: string | null;
