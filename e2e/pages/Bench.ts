@@ -12,14 +12,14 @@ export interface BenchOptions {
   /** Samples of the target: above 0 it is multisampled, in half floats. */
   readonly samples?: number;
   readonly renderer?: THREE.WebGLRendererParameters;
-  /** Whether the test loses the context: it then has a new one, so that others keep theirs. */
+  /** Whether the test loses this bench's context: the bench then gets a new one, and shared ones stay whole. */
   readonly losesContext?: boolean;
   readonly target?: THREE.RenderTargetOptions;
 }
 
-/** Canvases, with their contexts, by what the contexts were asked for, in the order that they were made in. */
+/** Canvases, oldest first, by the parameters (as text) that their WebGL contexts were made with. */
 const canvases = new Map<string, HTMLCanvasElement[]>();
-/** Those that a Bench has, or that were lost. */
+/** Canvases that a Bench uses, or whose context a test has lost. */
 const taken = new Set<HTMLCanvasElement>();
 /** Benches made since the last release. */
 const made = new Set<Bench>();
@@ -37,7 +37,7 @@ export async function loseContext(webgl: THREE.WebGLRenderer): Promise<void> {
   extension.loseContext();
   await lost;
   const restored = event('webglcontextrestored');
-  // the browser takes back only what it has told of
+  // in a later task: the browser restores no context in the task that tells of its loss
   setTimeout(() => extension.restoreContext());
   await restored;
 }
@@ -59,7 +59,7 @@ export class Bench {
     const { antialias, depth, stencil, preserveDrawingBuffer, premultipliedAlpha, powerPreference } = parameters;
     const key = JSON.stringify([antialias, depth, stencil, preserveDrawingBuffer, premultipliedAlpha, powerPreference]);
     const known = canvases.get(key) ?? [];
-    // the oldest: it has drawn most shaders
+    // the oldest context: most shaders are compiled in it already
     const canvas = losesContext ? undefined : known.find((each) => !taken.has(each));
     this.webgl = new THREE.WebGLRenderer({ ...parameters, ...(canvas && { canvas }) });
     if (!canvas) canvases.set(key, [...known, this.webgl.domElement]);
@@ -83,24 +83,24 @@ export class Bench {
    */
   static release(): number {
     for (const undo of undone.splice(0).toReversed()) undo();
-    // area lights of stock three, once initialised
+    // tables of stock three's area lights, which RectAreaLightUniformsLib adds
     for (const name of Object.keys(THREE.UniformsLib))
       if (name.startsWith('LTC_')) Reflect.deleteProperty(THREE.UniformsLib, name);
     for (const bench of made) bench.free();
     return [...canvases.values()].flat().length;
   }
 
-  /** Disposes of it, and keeps its context for other Benches. */
+  /** Disposes of this bench, and keeps its context for other benches. */
   free(): void {
     made.delete(this);
     const { webgl, farol, target } = this;
-    // three would delete objects of the context as it was
+    // three would delete objects that the restored context does not have
     if (this.wasLost) return;
     const context = webgl.getContext() as WebGL2RenderingContext;
     farol.dispose();
     target.dispose();
     webgl.dispose();
-    // methods that a test has replaced
+    // removes methods that a test has put on the context
     for (const name of Object.keys(context)) Reflect.deleteProperty(context, name);
     webgl.resetState();
     while (context.getError() !== 0);

@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { Bench, type PageImage } from './Bench';
 
-/** Things of each kind of blending before nothing, so that the target's alpha is seen: opaque, transparent, additive, glass. */
+/** Things of each kind of blending without a background, to see the alpha: opaque, transparent, additive, glass. */
 export function alphaScene(width: number, height: number) {
   const scene = new THREE.Scene();
   const camera = new THREE.PerspectiveCamera(50, width / height, 0.1, 30);

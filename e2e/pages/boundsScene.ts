@@ -8,7 +8,7 @@ export interface BoundsScene {
   readonly narrow: readonly THREE.Camera[];
   /** Lights of which two in three are as bright at the end of their range as before it; to be added to the scene. */
   readonly lights: THREE.Object3D;
-  /** Those lights as three has them, and the same as data. */
+  /** The same lights one by one, for stock three, and as data in `field`. */
   readonly plain: THREE.Object3D;
   readonly field: LightField;
 }
@@ -39,7 +39,7 @@ export function boundsScene(width: number, height: number): BoundsScene {
     const at = place(random(0, 7), random(0, 12));
     const angle = i % 2 ? random(0.1, 1) : random(1, 1.4);
     const [x, y, z] = [random(-1, 1), random(-1, 1), random(-1, 1)];
-    // weak at the end of its range, hence so bright
+    // with a decay of 0 two in three do not weaken before the end of the range: if cut short, it shows
     const light =
       i % 3 === 2
         ? new THREE.SpotLight(0xffffff, 60, range, angle, 0.05, 0)

@@ -114,7 +114,7 @@ export function faultsOf(
     'onBeforeRender of what no G-buffer holds': set(toon, 'onBeforeRender', fail),
     'object.onAfterRender': set(ground, 'onAfterRender', fail),
     'object.onBeforeShadow': set(ball, 'onBeforeShadow', fail),
-    // with both, maps are drawn in each frame
+    // shadow maps are drawn in each frame only where an object has both callbacks
     'object.onAfterShadow': () => {
       const mends = [set(ball, 'onBeforeShadow', () => undefined)(), set(ball, 'onAfterShadow', fail)()];
       return () => mends.forEach((mend) => mend());

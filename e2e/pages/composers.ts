@@ -14,7 +14,7 @@ const HEIGHT = 72;
 
 /** Changes of a case to the pass that draws the scene, and to the composer round it. */
 export interface Case {
-  /** Set on the pass as it is. */
+  /** Properties that are set on the pass. */
   pass?: Partial<Pick<ThreeRenderPass, 'clear' | 'clearDepth' | 'clearAlpha'>> & { ignoreBackground?: boolean };
   clearColor?: number;
   override?: 'normal' | 'lit';

@@ -30,7 +30,7 @@ const EXTRAS = [
 /** Devices by what they lack. */
 export const devices = {
   nothing: {},
-  // some tell that they blend floats all the same
+  // some such devices still report EXT_float_blend
   'colour buffers of whole floats': { extensions: ['EXT_color_buffer_float'] },
   'float colour buffers': { extensions: [...FLOATS, 'EXT_color_buffer_half_float'] },
   'blending of floats': { extensions: ['EXT_float_blend'] },

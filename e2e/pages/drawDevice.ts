@@ -20,7 +20,7 @@ export interface DeviceResult extends Partial<Difference> {
   readonly refused: string;
   /** GL errors in its frames. */
   readonly errors: number;
-  /** PSNR (dB) against stock three on the whole device. */
+  /** PSNR (dB) against stock three on this machine's device with nothing taken away. */
   readonly wholePSNR?: number;
 }
 
@@ -37,7 +37,7 @@ export interface DeviceRun {
   readonly effectNames: readonly EffectName[];
   /** Draws `shadowScene` in place of a scene of few programs. */
   readonly whole: boolean;
-  /** Compares with the whole device too, for one whose driver may honour lower precision. */
+  /** Also compares with the device before the subtraction: for precision, which a driver may not lower. */
   readonly rounds: boolean;
 }
 
@@ -84,9 +84,9 @@ function deviceScene(): TestScene {
 }
 
 /**
- * Draws a scene of lights, shadows, lines and glass on a device that lacks something, by techniques and by stock three, into
- * a target of the finest colour that the device draws to. Each effect is drawn by `deferred` and by `forward-plus`, but by the
- * one technique that is asked for where no other is and `whole` is false.
+ * Draws a scene of lights, shadows, lines and glass on a device that lacks something, by techniques and by stock three,
+ * into a target of the finest colour that the device draws to. Each effect is drawn by `deferred` and by
+ * `forward-plus`; if `names` has a single technique and `whole` is false, by that alone.
  */
 export function drawDevice(device: DeviceName, { names, effectNames, whole, rounds }: DeviceRun): DeviceResults {
   const reference = rounds ? wholeStock(whole, devices[device]) : null;

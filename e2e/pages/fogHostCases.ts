@@ -117,7 +117,7 @@ const hosts = {
       face.updateMatrixWorld();
       webgl.setRenderTarget(target, i);
       bench.farol.render(scene, face);
-      webgl.setRenderTarget(null); // three's reading binds what was bound, which may be no cube
+      webgl.setRenderTarget(null); // three's read-back rebinds the current target, and fails for a cube
       const data = new Float32Array(32 * 32 * 4);
       webgl.readRenderTargetPixels(target, 0, 0, 32, 32, data, i);
       const alone = bench.byTechnique(technique, scene, face);
@@ -132,7 +132,7 @@ const hosts = {
     const alone = street.draw(technique);
     const other = new Street({ samples: 4 });
     const image = other.draw(technique);
-    // edges are smooth in the one alone
+    // edges, smooth in the multisampled picture alone, are left out of the comparison
     let edges = 0;
     for (let i = 0; i < image.data.length; i += 4) {
       if (Math.abs(image.data[i] - alone.data[i]) < 0.01) continue;
@@ -330,14 +330,14 @@ const veils: Record<string, () => Veil> = {
 export const veilNames = Object.keys(veils);
 
 /**
- * A transparent thing in fog, against what its blending makes of the fog before it, which black and white things show that are
- * as far away; and the number of pixels that it covers.
+ * Compares a transparent thing in fog with what its blending gives for the fog before it; that fog is measured on a
+ * black and a white sheet at the same distance. `covered` counts the pixels that the thing covers.
  */
 export function fogBefore(name: string, technique: TechniqueName): Difference & { covered: number } {
   const { object, expected: wantedOf, isAdded = false, effects = [] } = veils[name]();
   const street = new Street();
   const { bench, camera, fog, scene } = street;
-  // plain behind, since glass blurs
+  // nothing but the background lies behind, since glass would blur anything else
   for (const mesh of scene.children) if (mesh instanceof THREE.Mesh) mesh.visible = false;
   const all = [...(effects ?? [])];
   bench.farol.effects = [fog, ...all];
@@ -362,7 +362,7 @@ export function fogBefore(name: string, technique: TechniqueName): Difference & 
   const none = bench.byTechnique(technique, scene, camera);
   const wanted = behind.data.slice();
   let covered = 0;
-  // clear glass changes no pixel; where else it is, is known
+  // clear glass changes no pixel without fog, so all count; other things cover the pixels that they change
   const isClear = name === 'clear glass';
   for (let i = 0; i < wanted.length; i += 4) {
     if (!isClear && Math.abs(bare.data[i] - none.data[i]) < 1e-3) continue;

@@ -8,9 +8,9 @@ uniform mat4 clipToView;
 uniform mat4 viewToWorld;
 uniform vec4 fog; // extinction (1/m), anisotropy, height (m), falloff (m)
 uniform vec3 albedo;
-uniform float farthest; // m
+uniform float farthest; // distance at which the fog ends (m)
 uniform vec3 ambient; // irradiance
-uniform vec3 sunDirection; // to it
+uniform vec3 sunDirection; // towards the sun
 uniform vec3 sunColor;
 uniform vec3 lampPosition[LAMPS];
 uniform vec3 lampColor[LAMPS];

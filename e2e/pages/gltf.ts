@@ -36,7 +36,7 @@ window.readGltf = async (glb, width, height) => {
     for (const value of Object.values((object as Mesh).material as Material)) {
       if (!(value instanceof Texture)) continue;
       textures.add(value);
-      // of which glTF knows nothing: the editor's own textures have this much
+      // glTF stores no anisotropy: this is what the editor's own textures have
       value.anisotropy = 8;
     }
   });

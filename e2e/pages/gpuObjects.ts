@@ -10,9 +10,9 @@ const KINDS = [
 
 /**
  * Counts the objects of all WebGL contexts that are made and deleted from now on.
- * @param keepsLost - whether objects of a context that is lost count until they are deleted: who holds one has not let go of it;
- *   else they are gone. Default false
- * @returns gives how many there are
+ * @param keepsLost - whether objects of a lost context count until they are deleted, which finds code that still holds
+ *   them; else they no longer count. Default false
+ * @returns function that gives their numbers
  */
 export function countGpuObjects(keepsLost = false): () => GpuObjects {
   const methods = WebGL2RenderingContext.prototype as unknown as Record<string, (...a: unknown[]) => unknown>;

@@ -61,7 +61,7 @@ export async function loseContexts(
     frames();
     bench.setSize(96, 64);
   };
-  // tables of data that change with the size of the picture take turns by textures that stay
+  // once before the counts: tables whose size depends on the picture's alternate between textures that are kept
   resize();
   frames();
   const before = count();

@@ -52,7 +52,7 @@ export interface TestPage {
   farol: typeof farol;
   authoring: typeof authoring;
   surfaces: typeof surfaces;
-  /** The effects, from their own entries. */
+  /** Exports of the effects' entries, such as `@farol/renderer/antialiasing`. */
   effects: typeof antialiasing &
     typeof ambientOcclusion &
     typeof transparency &
@@ -63,7 +63,7 @@ export interface TestPage {
   lightProfiles: typeof lightProfiles;
   lightFields: typeof lightFields;
   setLightOptions: typeof setLightOptions;
-  /** three's own. */
+  /** Addons of three's. */
   addons: {
     CSM: typeof CSM;
     RectAreaLightUniformsLib: typeof RectAreaLightUniformsLib;

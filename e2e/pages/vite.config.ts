@@ -18,7 +18,7 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three', 'react', 'react-dom'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  // bundled with three itself: found later, they would bring a three of their own
+  // bundled at start together: found later, they would be bundled with a second copy of three
   optimizeDeps: {
     entries: pages,
     include: ['three', 'three/tsl', 'three/webgpu', 'three/addons/tsl/WebGLNodesHandler.js'],

@@ -10,7 +10,7 @@ import { countGpuObjects } from './gpuObjects';
 import { loseContext, type PageImage } from './Bench';
 import { shadowScene } from './shadowScene';
 
-/** The headset of the page, emulated: its canvas stands for the framebuffer of the session's layer, an eye a half. */
+/** Emulated headset: the canvas stands for the session layer's framebuffer, half of it for each eye. */
 const device = new XRDevice(metaQuest3, { stereoEnabled: true });
 device.installRuntime({ forceInstall: true });
 

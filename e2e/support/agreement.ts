@@ -14,7 +14,7 @@ export interface Limits {
   readonly alpha?: number;
 }
 
-/** Nothing that a buffer rounds is alpha: every technique writes three's. */
+/** Largest difference of alpha: no buffer of a technique rounds alpha, so it is three's. */
 const ALPHA = 1e-4;
 
 /**

@@ -35,7 +35,7 @@ export function caseVerdict(
   const within = near && alpha <= LARGEST;
   const limits = exceptionOf(technique, `${sheet}: ${name}`);
   const exception = limits !== undefined && alpha <= LARGEST && psnr >= limits.psnr && share <= limits.share;
-  // nor does an older three need exceptions, by which lit surfaces are drawn forward: see `npm run compat`
+  // an exception may also be needless in an older three, where lit surfaces are drawn forward: see `npm run compat`
   const allowed = exception && (!within || mayBeNeedless || Number(REVISION) < 186);
   return { good: limits === undefined ? within : allowed, within, exception };
 }

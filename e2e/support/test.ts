@@ -15,7 +15,7 @@ const apps: Record<string, string | undefined> = {
 /** Folders whose tests have a window of a desktop's size, unless they ask for another. */
 const desktop = new Set(['editor', 'lab']);
 
-/** Pixels of a picture for each of the page's, where a picture is large and seldom what a test is about. */
+/** Device pixels for each CSS pixel in tests of the editor, whose pages are large and seldom compared as pictures. */
 export const pixelRatio = byExtent({ slice: 0.5, verify: 1 });
 
 /** Folder of e2e/ that holds a test's file. */

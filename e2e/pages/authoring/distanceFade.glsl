@@ -3,7 +3,7 @@
 #include "unproject"
 #include "viewport"
 uniform highp sampler2D example_depth;
-uniform vec2 example_range; // m: where it begins, where it covers all
+uniform vec2 example_range; // distances (m): where the fade begins, where it covers all
 layout(location = 0) out highp vec4 example_color;
 //? example_shareAt(-5.0, vec2(4.0, 6.0)) == 0.5
 float example_shareAt(const in float viewZ, const in vec2 range) {

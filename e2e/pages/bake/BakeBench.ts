@@ -14,7 +14,7 @@ export interface BakeFigures {
   readonly texelsPerMetre: number;
   /** Share of the lightmaps' texels that charts cover. */
   readonly covered: number;
-  /** Rays of indirect light, about. */
+  /** Approximate number of rays of indirect light. */
   readonly rays: number;
   /** Size of the file. */
   readonly bytes: number;
@@ -25,9 +25,9 @@ export interface FrameFigures {
   /** Medians over rounds of the time of a frame (ms). */
   readonly baked: number;
   readonly unlit: number;
-  /** Median of the quotients of the two of each round. */
+  /** Median over rounds of `baked / unlit`, both of the same round. */
   readonly ratio: number;
-  /** Value in the scene with its lights drawn, for comparison. */
+  /** Median time of a frame (ms) in which the lights are drawn, for comparison. */
   readonly lit: number;
 }
 
@@ -38,7 +38,7 @@ const PREFIX = 'farol-bake ';
 /** Bakes the atrium, compares the bake with a better one, and times frames that show it. */
 export class BakeBench {
   private readonly webgl = new THREE.WebGLRenderer({ antialias: false, powerPreference: 'high-performance' });
-  /** In the order in which they were made; the last is drawn by {@link frames}. */
+  /** Bakes, oldest first; {@link frames} draws the last. */
   private readonly bakes: Bake[] = [];
 
   private constructor(private readonly scene: Scene) {
@@ -66,7 +66,7 @@ export class BakeBench {
     const begin = performance.now();
     const bake = await bakeLightmaps(this.webgl, this.scene.three, {
       ...{ showProgress: false, ...options },
-      // the bulbs round the lights would keep all light to themselves
+      // without the bulbs, since each would keep in the light inside it
       isStatic: (object) => !('isInstancedMesh' in object),
       onWarning: (sentence) => warnings.push(sentence),
       onProgress: ({ stage, share, samples, secondsLeft }) =>

@@ -168,7 +168,7 @@ export class ChangingScene {
     const object = this.makeThing(dice);
     this.place(object, dice);
     const { material } = object as { material?: AnyMaterial };
-    // of geometries without normals: three compiles a material for normals or without as it first meets it
+    // its geometry may lack normals, and three compiles `overrideMaterial` for the first geometry alone
     if (material && !this.materials.includes(material)) material.allowOverride = false;
     this.things.push(object);
     this.scene.add(object);

@@ -98,7 +98,7 @@ function levels(geometry: THREE.BufferGeometry, material: THREE.Material): THREE
   return lod;
 }
 
-/** Vertices in the order of the index: lengths along a line are those of such alone. */
+/** Geometry without an index: `computeLineDistances` needs vertices in the order in which they are drawn. */
 const strip = (geometry: THREE.BufferGeometry) => (geometry.index ? geometry.toNonIndexed() : geometry);
 
 function objectOf(facts: ThingFacts, material: THREE.Material): THREE.Object3D {

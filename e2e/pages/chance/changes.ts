@@ -97,7 +97,7 @@ const lights: Record<string, Change> = {
     void (w.bench.webgl.shadowMap.type = d.of([THREE.BasicShadowMap, THREE.PCFShadowMap, THREE.VSMShadowMap])),
   shadowsOff: (w, d) => {
     w.bench.webgl.shadowMap.enabled = d.in(0.7);
-    // stock three goes on with the maps that it has until then
+    // programs are chosen anew, since stock three would go on using the maps it has
     for (const { material } of w.meshes) for (const one of [material].flat()) one.needsUpdate = true;
   },
   swapLight: (w, d) => {

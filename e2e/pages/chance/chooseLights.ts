@@ -27,7 +27,7 @@ export function planLights(dice: Dice, own: boolean): LightPlan[] {
       ...(own && kind === 'point' && dice.in(0.3) && { cookie: true }),
     });
   }
-  // stock three has each of them in the text of its shaders
+  // seldom, since stock three unrolls its shaders' loops over lights: many lights compile slowly
   if (dice.in(0.25)) plan.push({ kind: dice.of(['point', 'spot'] as const), count: dice.of([6, 12, 20]) });
   if (dice.in(0.1)) plan.push({ kind: 'field', count: dice.of([3, 12]) });
   return plan;

@@ -67,7 +67,7 @@ function readTarget(webgl: THREE.WebGLRenderer, target: THREE.WebGLRenderTarget)
   return { width, height, data: Float32Array.from(raw, THREE.DataUtils.fromHalfFloat) };
 }
 
-/** Takes bytes for encoded ones, whatever they are: then a step of theirs is a step of 1/255 to `compareImages`. */
+/** Treats bytes of any encoding as sRGB, so that a step of a byte is a step of 1/255 to `compareImages`. */
 function imageOf(bytes: Uint8Array, width: number, height: number): PageImage {
   const linear = (value: number) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
   const data = Float32Array.from(bytes, (byte, i) => (i % 4 === 3 ? byte / 255 : linear(byte / 255)));

@@ -36,7 +36,7 @@ export interface ChangesFault {
   readonly fault: string;
   /** Changes that are enough for it, as frame and name. */
   readonly changes: readonly string[];
-  /** Whether it needs the frames between. */
+  /** Whether the fault shows only where the frames before its own are drawn too. */
   readonly isLeftOver: boolean;
 }
 

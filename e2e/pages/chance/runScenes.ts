@@ -12,7 +12,7 @@ import { shrink } from './shrink';
 export interface ChanceFault {
   readonly seed: number;
   readonly techniques: readonly TechniqueName[];
-  /** Figures or words of the first of them. */
+  /** Fault of the first of `techniques`: figures, or what was thrown or said. */
   readonly fault: string;
   /** Part of the scene that is enough for the fault; all of it where it was not shrunk. */
   readonly facts: SceneFacts;
@@ -58,7 +58,7 @@ function isAlike(part: SceneResult | null, whole: SceneResult): boolean {
   return psnr < whole.difference.psnr + 6 || share > whole.difference.share / 2;
 }
 
-/** Cuts down scenes that fail, but those that hold all that one of their deck was cut down to. */
+/** Shrinks failing scenes, except those that hold all names of a scene of the same deck that was shrunk before. */
 class Shrinker {
   private readonly found: { techniques: string; names: Set<string>; kind: string }[] = [];
 

@@ -71,7 +71,7 @@ export async function enlargeSheet(
   farol.technique = technique;
   const { scene, camera } = new Sheet(cases, { environment: bench.environment() });
   farol.effects = temporal ? [new TAA()] : [];
-  // what stands is the mean of 32 places in each pixel, once frames are seen to be alike
+  // TAA's picture of a still scene averages 32 places in each pixel; some frames pass before TAA finds the scene still
   const frames = temporal ? 40 : 1;
   const draw = () => {
     for (let i = 0; i < frames; i++) farol.render(scene, camera);

@@ -98,7 +98,7 @@ function hardwareInstances(): THREE.Mesh {
   return mesh;
 }
 
-/** Every kind of geometry of three, and how objects are met: groups of materials, levels, layers, callbacks. */
+/** Every kind of geometry of three, and objects with groups of materials, levels of detail, layers, callbacks. */
 export const geometryCases: Cases = {
   skinned: () => small(skinned(new Standard({ color: 0xdddddd, roughness: 0.35 })), 0.6),
   'skinned, transparent': () => small(skinned(new THREE.MeshPhongMaterial({ transparent: true, opacity: 0.6 })), 0.6),

@@ -9,7 +9,7 @@ const { MeshPhysicalMaterial: Physical, MeshStandardMaterial: Standard } = THREE
 const ball = new THREE.SphereGeometry(0.65, 24, 16);
 const on = (parameters: THREE.MeshPhysicalMaterialParameters) => new THREE.Mesh(ball, new Physical(parameters));
 
-/** The exporter draws maps, which must be images for that. */
+/** A texture as GLTFExporter takes it: the exporter draws a map to a canvas, which needs an image. */
 function asImage(make: () => THREE.DataTexture): () => THREE.CanvasTexture {
   return () => {
     const data = make();

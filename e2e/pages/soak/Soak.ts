@@ -44,7 +44,7 @@ export class Soak {
   readonly objects: GpuObjects;
   /** Rounds so far. */
   count = 0;
-  /** Those that were opened. */
+  /** Scenes that were opened, by name. */
   readonly scenes = new Map<string, TestScene>();
   scene!: THREE.Scene;
   camera!: THREE.Camera;
@@ -184,7 +184,7 @@ export class Soak {
       const made = soakScenes[name](...SIZE);
       for (const { shadow } of casters(made.scene)) {
         shadow.mapSize.set(64, 64);
-        // depths of maps have 24 bits from the first light on that needs them: here each does, and history does not show
+        // shadow maps stay at 24 bits after the first light that needs them: with this bias each light does
         shadow.bias = -0.0002;
       }
       this.scenes.set(name, made);
@@ -228,7 +228,7 @@ export class Soak {
     await lost;
     this.draw();
     const restored = event('webglcontextrestored');
-    // the browser takes back only what it has told of
+    // in a later task: the browser restores no context in the task that tells of its loss
     setTimeout(() => extension.restoreContext());
     await restored;
     return '';
@@ -265,7 +265,7 @@ export class Soak {
     fresh.lightLayers = farol.lightLayers;
     const own = this.chosen.map((name) => new effectClasses[name]());
     fresh.effects = own;
-    // both join as many frames from here on, and see the same noise
+    // effects of both renderers start anew: they average as many frames, with the same noise
     for (const effect of [...farol.effects, ...own]) {
       effect.reset?.();
       if ('time' in effect) effect.time = 0;

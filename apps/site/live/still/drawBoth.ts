@@ -61,10 +61,7 @@ export async function drawBoth(
   return { ...pictures, technique, leftOut };
 }
 
-/**
- * Resets settings and edited microshaders that stock three has no equal of; returns the names of those that were in
- * use.
- */
+/** Resets what stock three has no equal of, settings and microshaders. @returns names of those that were in use */
 function takeAway(farol: FarolRenderer): string[] {
   const leftOut: string[] = farol.effects.map(({ name }) => name);
   farol.effects = [];
