@@ -6,8 +6,7 @@ import { root } from './root.mjs';
 
 /**
  * Writes the declarations of a package into its dist: a file for each of its exports, and chunks for what they share.
- * Their relative imports have extensions, so that they resolve under `nodenext` too. What no export reaches is left
- * out.
+ * Relative imports have extensions, so that they resolve under `nodenext` too. What no export reaches is left out.
  *
  * @param {import('./publishedPackages.mjs').PublishedPackage} published - `tsc -b packages` must have written its
  *   declarations, and its bundle be built already: building it empties dist

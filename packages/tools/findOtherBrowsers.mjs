@@ -11,8 +11,7 @@ import { delimiter, join } from 'node:path';
  * @typedef {object} OtherBrowsers paths; null where one is missing
  * @property {string | null} firefox
  * @property {{ driver: string, browser: string } | null} webkit
- * @property {string | null} xvfb X server with a screen in memory, without which Firefox has no WebGL; null where a
- *   screen exists
+ * @property {string | null} xvfb X server in memory, needed by Firefox for WebGL; null where there is a screen
  * @property {readonly string[]} missing lines, each with a browser that is missing and how to install it
  */
 

@@ -107,7 +107,7 @@ export class Figure {
     this.fit();
   }
 
-  /** Of two texts, returns the one in the page's language. */
+  /** Picks the one of two texts that is in the page's language. */
   say(english: string, spanish: string): string {
     return this.isSpanish ? spanish : english;
   }
