@@ -137,7 +137,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
   }
 
   end(): void {
-    // no warning while code is loading: until then another technique draws
+    // does not warn while a technique's code is loading, since a stand-in technique draws these frames
     if (this.use !== 'none' || this.warned || Lazy.lacking!.size > 0) return;
     this.warned = true;
     console.warn(

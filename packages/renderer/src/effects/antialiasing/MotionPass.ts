@@ -11,9 +11,9 @@ import type { ObjectMotions } from './ObjectMotions';
 const clip = new Matrix4();
 
 /**
- * Draws the motion of moving objects' visible pixels since the last frame (x, y: in widths and heights of the picture; z: former
- * minus present distance, m; alpha: 1 where drawn): objects, skins, morphs, instances and batches. Pixels that only the camera
- * moves are left out.
+ * Draws the motion of moving objects' visible pixels since the last frame (x, y: in widths and heights of the picture;
+ * z: former minus present distance, m; alpha: 1 where drawn), also of skins, morphs, instances and batches. Pixels that
+ * only the camera moves are left out.
  */
 export class MotionPass {
   /** Whether the pass has drawn in this frame. */

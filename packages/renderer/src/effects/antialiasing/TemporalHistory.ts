@@ -81,7 +81,7 @@ export class TemporalHistory {
     return this.width === width && this.height === height && this.cells === cells;
   }
 
-  /** Cells along a pixel's side in this history, if it must keep them; 0 if it need not or is empty. */
+  /** Cells along a pixel's side in this history if their number must stay (`keeps`); 0 if it may change or is unset. */
   cellsOf(keeps: boolean): number {
     return keeps && !this.isEmpty ? this.cells : 0;
   }

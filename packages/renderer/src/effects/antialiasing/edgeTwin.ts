@@ -6,7 +6,7 @@ import edgeFragment from './edgeFragment.glsl?raw';
 
 const KEPT = 'float farol_shown;\nbool farol_keeps = false;\nvec4 farol_kept;\n';
 const LAST = 'if (farol_keeps) gl_FragColor = farol_kept; else gl_FragColor.a += farol_shown;';
-// gl_FragCoord.z of a multisampled fragment may be the depth of a sample
+// gl_Position.zw, from which depth is computed: gl_FragCoord.z of a multisampled fragment may be that of a sample
 const VARYING = 'varying highp vec2 farol_edgeZW;\n';
 
 /**

@@ -22,7 +22,7 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
   const kind = (): TwinKind => ({
     key: 'motion',
     chunks: () => [],
-    // the picture already has the same depth here, up to rounding
+    // the picture already has the same depth here: the offset lets the motion pass the depth test despite rounding
     properties: {
       blending: NoBlending,
       depthWrite: false,

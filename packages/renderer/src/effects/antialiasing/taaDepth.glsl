@@ -3,7 +3,8 @@
 #include "frameSize"
 #include "storedDistance"
 uniform highp sampler2D farol_pictureDepth;
-// distances of surfaces whose depth is shifted (polygonOffset), oblique or coarse, and the depth drawn with them
+// distances of surfaces, where depth cannot give them (polygonOffset, oblique near plane, few bits), and the depth
+// drawn with them
 uniform highp sampler2D farol_distances;
 uniform highp sampler2D farol_distanceDepth;
 uniform highp int farol_distancesStored; // kind of stored distances: 0 none, 1 perspective, 2 orthographic

@@ -119,7 +119,7 @@ else if (farol_hasPast) {
   if (uv == clamp(uv, 0.0, 1.0)) {
     vec4 past = still ? texelFetch(farol_history, cell, 0)
       : max(farol_lanczosCross(farol_history, uv, farol_sizeBefore * float(farol_cells)), 0.0);
-    // history is believed if the nearest surface was nearest there too, or if nothing moves
+    // history is believed if last frame's nearest surface there has the expected distance, or if nothing moves
     float before = texelFetch(farol_reachBefore, min(ivec2(uv * farol_sizeBefore), ivec2(farol_sizeBefore) - 1), 0).x;
     float expected = nearest * way.z / shownDistance;
     bool same = abs(abs(before) - expected) < (FAROL_APART - 1.0) * expected;

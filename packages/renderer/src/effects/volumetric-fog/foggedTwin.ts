@@ -57,7 +57,7 @@ export function isFogged(kind: TwinKind, material: Material): boolean {
     isRawShaderMaterial?: boolean;
   };
   if (isShaderMaterial !== true) return (fog as boolean | undefined) !== false;
-  // particles and other draws of Farol's own fog themselves
+  // the shaders of particles and of other draws of Farol's own apply fog themselves
   return isRawShaderMaterial !== true && glslVersion !== GLSL3 && !(material instanceof OutputMaterial);
 }
 
