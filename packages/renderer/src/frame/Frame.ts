@@ -117,7 +117,7 @@ export class Frame extends FrameTarget {
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
-  /** Whether all shaders of the frame can read few lights from uniforms. */
+  /** Whether all shaders of the frame can read its lights from uniforms, if they are few (fewLights.glsl). */
   readsFew = false;
   /** Pixels that the technique fills in place of three's clear; null where three has cleared the target. */
   fills: Fills | null = null;
@@ -158,7 +158,7 @@ export class Frame extends FrameTarget {
   }
 
   override bindTarget(): void {
-    // the target is still bound by three
+    // three has bound the target for this frame: with few lights no draw to other targets has come before
     if (this.readsFew && this.webgl.getRenderTarget() === this.target) return;
     super.bindTarget();
     this.uniforms.farol_targetOrigin.value.set(0, 0);
@@ -299,7 +299,7 @@ export class Frame extends FrameTarget {
     }
   }
 
-  /** Draws an item with a material, and calls the host's `onBeforeRender` and `onAfterRender` of both. */
+  /** Draws an item with a material, and calls `onBeforeRender` and `onAfterRender` of object and host's material. */
   drawItem(item: RenderItem, material: Material): void {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;

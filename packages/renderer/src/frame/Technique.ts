@@ -15,7 +15,7 @@ export interface Technique {
   readonly needsFloatTargets: boolean;
   /** Pixels that the technique writes, so that three need not clear them; null for none. Default 'behind'. */
   readonly fills?: Fills | null;
-  /** Whether all shaders of the technique can read few lights from uniforms (fewLights.glsl), in place of a texture. Default false. */
+  /** Whether all shaders of the technique can read lights from uniforms, if few (fewLights.glsl). Default false. */
   readonly readsFew?: boolean;
   /**
    * Late code of the technique, fetched at its first use; until it is loaded the technique that drew the scene last draws, or

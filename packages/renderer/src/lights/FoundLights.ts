@@ -6,7 +6,7 @@ export type Placed = NonNullable<Light['parent']>;
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export class FoundLights {
-  /** All managed lights of the frame: the first `count`; later ones are of an earlier frame. */
+  /** Lights of the frame that Farol draws (managed lights): the first `count`; later ones are of an earlier frame. */
   readonly all: Light[] = [];
   /** Number of lights of this frame in `all`. */
   count = 0;

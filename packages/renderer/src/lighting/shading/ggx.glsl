@@ -15,7 +15,7 @@ float farol_smithLambda(const in float alphaSquared, const in float cosine) {
 float farol_ggxLobe(const in float alphaSquared, const in float lambdaV, const in float dotNV, const in float dotNL,
   const in float dotNH) {
 #ifdef FAROL_LITE
-  // Hammon's approximation of this, without a root for each light
+  // Hammon's approximation of gv + gl, without a root for each light
   float alpha = sqrt(alphaSquared);
   float shadowing = dotNL * (2.0 * dotNV * (1.0 - alpha) + alpha) + dotNV * alpha;
 #else
