@@ -87,7 +87,7 @@ export class Picture {
       this.users++;
       return;
     }
-    this.users = 1; // set, not incremented: an exception in the last frame may have left another number of users
+    this.users = 1; // set to 1, not incremented: an exception in the last frame may have left some
     const { webgl } = frame;
     this.hostTarget = frame.target;
     this.hostFace = frame.face;
@@ -115,7 +115,7 @@ export class Picture {
     return this.users === 1 && this.hostViewport.x === 0 && this.hostViewport.y === 0;
   }
 
-  /** Whether a single effect uses the picture at this point: its result is the finished one. */
+  /** Whether a single effect uses the picture at this point: its result is the finished picture. */
   get isLast(): boolean {
     return this.users === 1;
   }

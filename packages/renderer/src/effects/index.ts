@@ -44,7 +44,7 @@ export interface EffectEntry {
   readonly group?: 'antialiasing';
   /** Name of the effect's switch in the settings of a scene. Default: no switch. */
   readonly setting?: string;
-  /** Short name of the switch, for addresses. Default: `setting`. */
+  /** Short name of the switch, for URLs. Default: `setting`. */
   readonly short?: string;
   /** Numbers and colours that menus set, by their names in the settings of a scene. */
   readonly fields?: Readonly<Record<string, EffectField | EffectColour>>;

@@ -17,7 +17,7 @@ export class FoundLights {
    * each; the first is NaN where unknown.
    */
   poses = new Float64Array(0);
-  /** Index of the first child of the scene that is not read ahead yet. */
+  /** Index of the first child of the scene whose data `LightReader` has not yet read ahead into the CPU's caches. */
   fetched = 0;
   /** Managed lights that three's traversal would find: in `rest`, or below. */
   readonly nested: Light[] = [];

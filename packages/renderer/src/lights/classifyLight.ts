@@ -20,7 +20,7 @@ type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
  * | ambient, hemisphere | summed into four colours, no record |
  * | directional | over every pixel |
  * | unbounded | a point or spot light without a range: over every pixel |
- * | point | a point light with a range, as three has it; plain if it has no mask either |
+ * | point | a point light with a range, without `userData.farol`; plain if it has no mask either |
  * | extended-point | a point light with a range and `userData.farol` |
  * | spot | a spot light with a range |
  * | area | a RectAreaLight: a rectangle, a disc or a tube |

@@ -44,7 +44,7 @@ type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
  * reflections are darkened more.
  *
  * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment for
- * indirect light (materials that the G-buffer cannot hold get none); with `light-prepass` the thin G-buffer; with `forward-plus`
+ * indirect light (materials that the G-buffer cannot hold are not darkened); with `light-prepass` the thin G-buffer; with `forward-plus`
  * its depth, from which normals are rebuilt. Other techniques have no depth before they shade: there, and with a G-buffer on
  * devices that draw to only four buffers at once, it is left out with a warning.
  * @see Jimenez, Wu, Pesce and Jarabo 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion

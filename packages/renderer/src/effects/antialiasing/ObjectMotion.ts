@@ -21,7 +21,7 @@ const INSTANCES_PER_ROW = 512;
 export class ObjectMotion {
   /** Number of the frame in which the state was copied. */
   frame = -1;
-  /** Whether the object moved between the frame before and the copied state. */
+  /** Whether the object moved in the frame whose state is copied, compared with the frame before that one. */
   moves = false;
   /** World matrix; for a skinned mesh times the inverse of its bind matrix. */
   readonly matrix = new Float64Array(16);

@@ -42,7 +42,7 @@ export class TemporalHistory {
   frame = 0;
   /** Hash of the last frame's materials and surroundings, from `looksOf` and `surroundingsOf`. */
   materialHash = 0;
-  /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
+  /** Sum of the weights of the samples in each cell of a pixel, since the picture last changed. */
   readonly gathered = new Vector4();
   private readonly targets = [new PassTarget(CELLS), new PassTarget(CELLS)];
   private readonly reaches = [new PassTarget(REACH), new PassTarget(REACH)];

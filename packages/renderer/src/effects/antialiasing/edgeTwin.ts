@@ -10,8 +10,8 @@ const LAST = 'if (farol_keeps) gl_FragColor = farol_kept; else gl_FragColor.a +=
 const VARYING = 'varying highp vec2 farol_edgeZW;\n';
 
 /**
- * Twin kind of an opaque draw that takes the surface's colour from the finished picture, and shades only where the picture does
- * not show the surface.
+ * Kind of twin (material in place of the host's) for an opaque draw that takes the surface's colour from the finished
+ * picture, and shades only where the picture does not show the surface.
  * @param uniforms - uniforms of edgeColor.glsl, and `farol_reuse`: whether neighbouring pixels' colours may be used,
  *   `farol_shades`: whether surfaces that the picture does not show are shaded
  */

@@ -14,8 +14,9 @@ const WRITE =
   'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), farol_before.w - farol_now.w, 1.0);\nif (true) return;';
 
 /**
- * Twins that write a surface's motion over the picture since the last frame, and its change of distance. Two kinds share one
- * program, and draws alternate between them: three uploads a material's uniforms only when the material changes.
+ * Kinds of twins (materials in place of the host's) that write a surface's motion over the picture since the last
+ * frame, and its change of distance. The two share one program, and draws alternate between them, since three uploads
+ * uniforms only when the next draw has another material.
  * @param uniforms - uniforms of motionVertexHeader.glsl
  */
 export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinKind, TwinKind] {

@@ -214,7 +214,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.field = count > 0 ? new LightField(count, { textures: NO_LIGHTS }) : null;
     if (this.field === null) return;
     this.field.name = 'Lights of particles';
-    // particles are in world space, not in the emitter's
+    // the field's matrix stays the identity: particles' positions are in world space, not in the emitter's
     this.field.matrixAutoUpdate = this.field.matrixWorldAutoUpdate = false;
     this.add(this.field);
   }

@@ -81,7 +81,7 @@ export class Particles implements FarolEffect {
     this.depth.scale.set(z / frame.width, w / frame.height);
     const lists = resources.find('light-lists');
     if (lists === undefined) return;
-    // tile lists that were culled by depth are for opaque surfaces only
+    // tile lists that were culled by depth may lack lights in front of the opaque surfaces
     const knowsAll = lists.loop !== 'lightLoopTiled' || this.depth.texture === null;
     this.loop = knowsAll ? lists.loop : 'lightLoopAll';
   }

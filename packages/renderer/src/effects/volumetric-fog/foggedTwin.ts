@@ -61,7 +61,7 @@ export function isFogged(kind: TwinKind, material: Material): boolean {
   return isRawShaderMaterial !== true && glslVersion !== GLSL3 && !(material instanceof OutputMaterial);
 }
 
-/** Twin kind of a draw with the fog between the eye and its surface, applied before tone mapping. */
+/** Kind of twin (material in place of the host's) that applies the fog between eye and surface before tone mapping. */
 export function foggedTwin(kind: TwinKind): TwinKind {
   const variant = (source: Material) => `${kind.variant?.(source) ?? ''}${blendOf(source)}`;
   return {
