@@ -253,7 +253,7 @@ export class Frame extends FrameTarget {
     return this.late.gouraudTwins(this.view);
   }
 
-  /** Draws an item forward: lit ones by a twin, others with their own material. */
+  /** Draws an item forward: a lit item by a twin of its material, any other with its own material. */
   drawForward(item: RenderItem, twins: ForwardTwins): void {
     const { material, shading } = item;
     const lit = shading === 'lit';

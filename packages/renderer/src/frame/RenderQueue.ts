@@ -45,7 +45,7 @@ export interface ShadowMaskMaterials {
   readonly twin: TwinKind;
 }
 
-/** Properties of a material, as read in the frame of that number. */
+/** Properties of a material, as read in the frame with the number `frame`. */
 interface MaterialLook {
   frame: number;
   rank: number;

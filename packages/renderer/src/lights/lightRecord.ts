@@ -13,7 +13,7 @@ export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
 export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
 
-/** Stands for a light's index in a record that lights nothing. */
+/** Number in place of a light's index, for a record that lights nothing. */
 export const NO_LIGHT = 0xffffffff;
 
 /** Cosines of cutoff and penumbra that mark a point light; no spot light has them. */

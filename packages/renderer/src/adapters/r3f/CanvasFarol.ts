@@ -64,7 +64,7 @@ export class CanvasFarol {
     settings.invalidate();
   }
 
-  /** Removes a component's settings. The FarolRenderer is disposed with the last one, unless another is mounted at once. */
+  /** Removes a component's settings; after the last component, disposes FarolRenderer, unless one is mounted at once. */
   unmount(owner: object): void {
     const settings = this.mounted.get(owner);
     if (settings === undefined) return;

@@ -57,7 +57,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
   readonly lacks = lacksFloatTargets;
   /** Distance within which surfaces occlude (m), above 0. Default 0.5. */
   radius = 0.5;
-  /** Exponent of the open share of the sky: 0 is no occlusion, 1 as computed. Default 1. */
+  /** Exponent of the open share of the sky: 0 for no occlusion, 1 for the computed occlusion. Default 1. */
   strength = 1;
   /** Whether to compute occlusion at half the resolution, upsampled by a filter that keeps edges. Default false. */
   halfResolution = false;

@@ -81,7 +81,7 @@ export class MotionPass {
       const { object } = item;
       if ((item.material as ReactiveMaterial).isReactive === true) continue;
       const motion = motions.of(object);
-      if (motion.frame === number) continue; // another material group of an object that was compared already
+      if (motion.frame === number) continue; // the object was already compared, for another of its material groups
       const isNew = motion.frame !== number - 1;
       const moved = !isNew && motion.hasMoved(object);
       if (!isNew && !moved) {

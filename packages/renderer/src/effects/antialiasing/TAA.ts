@@ -239,7 +239,7 @@ export class TAA implements FarolEffect {
     const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
     const follows = !history.isEmpty;
     const moved = !viewProjection.equals(history.viewProjection);
-    // material and upload changes count only with a still camera: a moving one shows other objects, and clipping copes
+    // changed materials and uploads count only with a still camera: a moving one shows other objects, clipped anyway
     const relit =
       history.lights.changed(frame.lights) ||
       (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.materialHash));

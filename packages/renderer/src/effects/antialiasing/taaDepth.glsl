@@ -13,7 +13,7 @@ uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // transform of this frame's normalised device coordinates to last frame's
 uniform highp vec2 farol_jitter; // this frame's subpixel offset of the projection (normalised device coordinates)
 uniform highp vec2 farol_depthKind; // x: 1 if depth is reversed, else 0; y: log2(far + 1) if it is logarithmic, else 0
-uniform highp vec4 farol_projectZ; // for view-space z Z: clip z = x Z + y, clip w = z Z + w
+uniform highp vec4 farol_projectZ; // for a view-space z of v: clip z = x v + y, clip w = z v + w
 uniform bool farol_hasMotion; // whether the motion map holds any motion
 
 ivec2 farol_inPicture(const in ivec2 pixel) {

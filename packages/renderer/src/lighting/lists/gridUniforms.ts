@@ -4,7 +4,7 @@ import type { IUniform, Texture } from 'three';
 export interface GridUniforms extends Record<string, IUniform> {
   /** Log2 of a tile's side (pixels), tiles in y, words of deep lights (see DepthBins), first record of the lights. */
   readonly farol_grid: { value: number[] };
-  /** Mapping of depth to bins: shift (m), start (as the float with these bits), scale. */
+  /** Mapping of depth to bins, see `DepthBins`: shift (m), start (the float whose bits are this integer), scale. */
   readonly farol_gridDepth: { value: number[] };
   readonly farol_gridMasks: IUniform<Texture | null>;
   readonly farol_gridBins: IUniform<Texture | null>;

@@ -140,7 +140,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
     }
     if (dot(s.normalVS, direction) <= 0.0) return;
 #if defined( FAROL_BOUNDED_MASKS ) || defined( FAROL_POINT_MASKS )
-    // only one call, since compilers inline the mask's code in each
+    // the mask is called at one place only, since compilers inline its code at each call
     if (isMaskedPoint || (farol_lightIsMasked(details) && !isLit)) {
       color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), isMaskedPoint, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color, color * specularScale);
