@@ -12,7 +12,7 @@ import type { TwinKind } from '../materials/TwinKind';
  * 'final'. An effect object belongs to one FarolRenderer.
  */
 export interface FarolEffect {
-  /** Name in `FarolInfo.passes`. */
+  /** Name of the effect in `FarolInfo.passes`. */
   readonly name: string;
   /** Resources; `render` is called after each pass of the frame that writes one of them. */
   readonly after?: readonly Resource[];

@@ -5,9 +5,9 @@ import type { LightOrder } from '../lighting/LightTable';
 
 /** A way of drawing: an array of passes, which share `frame.resources`. */
 export interface Technique {
-  /** Name in menus. */
+  /** Name of the technique in menus. */
   readonly label: string;
-  /** One line of help. */
+  /** One line of help on the technique. */
   readonly help: string;
   /** Order of lights in the table that the passes need. */
   readonly lightOrder: LightOrder;

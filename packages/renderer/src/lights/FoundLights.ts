@@ -19,7 +19,7 @@ export class FoundLights {
   poses = new Float64Array(0);
   /** Index of the first child of the scene whose data `LightReader` has not yet read ahead into the CPU's caches. */
   fetched = 0;
-  /** Managed lights that three's traversal would find: in `rest`, or below. */
+  /** Managed lights that three's traversal would find: those in `rest`, and descendants of the objects in it. */
   readonly nested: Light[] = [];
   /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
   readonly rest: Placed[] = [];

@@ -87,8 +87,8 @@ export interface LeftToThree {
 }
 
 /**
- * True for the lights that Farol keeps in its own table: they never change a program. three lights with the others: probes, and
- * the kinds in `left` until the code for them is loaded.
+ * True for the lights that Farol keeps in its own table: they never change a program. All other lights are left to
+ * three.js: probes, and the kinds in `left` until the code for them is loaded.
  */
 export function isManagedLight(light: Light, left: LeftToThree): boolean {
   // three has no code for light fields
@@ -115,7 +115,7 @@ export interface MaskSettings {
   readonly shadows: ShadowedLights;
   /** Finds lights that do not reach all objects; null if all lights do. */
   readonly layers: { separates(light: Light): boolean } | null;
-  /** Area lights; null until their code is loaded, while three lights with them. Default null. */
+  /** Area lights; null until their code is loaded: three.js draws these lights until then. Default null. */
   readonly areas?: AreaRadii | null;
 }
 

@@ -73,7 +73,7 @@ export const lightRecord = {
     isMasked: ['bool', 't.z > 0.0'],
     /** Whether the light is three's point light, still at the place where its shadow map was drawn. */
     isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
-    /** Whether the light is an area light, whose extension is its own. */
+    /** Whether the light is an area light, whose extension record has the layout `areaRecord`. */
     isArea: ['bool', 't.x < -2.5'],
   },
 } as const satisfies RecordLayout;

@@ -224,7 +224,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
     return result;
   }
 
-  /** Open share of the sky in the frame drawn last; drawn by this call if only the G-buffer's light was darkened. */
+  /** Open share of the sky in the last frame; this call draws it if that frame only darkened light in the G-buffer. */
   openSky(frame: Frame): Texture {
     const { share, use } = this;
     return (use === 'accumulation' ? share.drawToOwn(frame, frame.width, frame.height) : share).texture as Texture;

@@ -38,7 +38,7 @@ vec2 farol_edgeArea(const in float before, const in float after, const in float 
   if (start * end < 0.0) return farol_areaUnder(vec2(0.0, 0.5 * start), vec2(d, 0.5 * end), before);
   vec2 area1 = start == 0.0 ? vec2(0.0) : farol_areaUnder(vec2(0.0, 0.5 * start), vec2(0.5 * d, 0.0), before);
   vec2 area2 = end == 0.0 ? vec2(0.0) : farol_areaUnder(vec2(0.5 * d, 0.0), vec2(d, 0.5 * end), before);
-  if (start == end) { // an edge of one pixel is a rounded corner rather than a step
+  if (start == end) { // ends that turn to one side: a short edge is a rounded corner rather than a step
     float straight = min(d / 32.0, 1.0);
     area1 = mix(sqrt(2.0 * area1) * 0.5, area1, straight);
     area2 = mix(sqrt(2.0 * area2) * 0.5, area2, straight);

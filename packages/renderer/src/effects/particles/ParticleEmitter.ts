@@ -127,7 +127,6 @@ export class ParticleEmitter extends MeshWithSettings {
   /**
    * Sets several settings.
    * @throws RangeError that names the first invalid one, with those before it set; for an unknown name, with none set
-   * @throws RangeError that names the first invalid one; those before it are set. An unknown name sets none
    */
   set(settings: Partial<ParticleSettings>): this {
     for (const name of Object.keys(settings)) checkParticleName(this.owner, name);
@@ -249,7 +248,7 @@ export class ParticleEmitter extends MeshWithSettings {
     const { capacity, rate, life, bursts } = this.values;
     this.toldOf = capacity;
     const enough = Math.ceil(rate * life[1]) + bursts.reduce((sum, { count }) => sum + count, 0);
-    // no warning if the capacity suffices for `rate`: room lacked only until the particles that ended were removed
+    // no warning if the capacity suffices for `rate`: there is room again once the particles that ended are removed
     if (capacity >= enough) return;
     console.warn(
       `${this.owner}: capacity ${capacity} is reached, and no more particles begin; set it to ${enough} or more.`,
