@@ -43,10 +43,10 @@ type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
  * ambient, hemisphere, environment and light map light by it; direct and emissive light do not change. Rougher environment
  * reflections are darkened more.
  *
- * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment for
- * indirect light (materials that the G-buffer cannot hold are not darkened); with `light-prepass` the thin G-buffer; with `forward-plus`
- * its depth, from which normals are rebuilt. Other techniques have no depth before they shade: there, and with a G-buffer on
- * devices that draw to only four buffers at once, it is left out with a warning.
+ * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment
+ * for indirect light (materials that it cannot hold are not darkened); with `light-prepass` the thin G-buffer; with
+ * `forward-plus` its depth, from which normals are rebuilt. Other techniques have no depth before they shade: there,
+ * and with a G-buffer on devices that draw to only four buffers at once, it is left out with a warning.
  * @see Jimenez, Wu, Pesce and Jarabo 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion
  */
 export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {

@@ -1,13 +1,11 @@
-// Horizon-based ambient occlusion: the share of the sky (weighted by the cosine) open above each pixel
-// (red), and the view z of the pixel's surface (green).
+// Horizon-based ambient occlusion; red: open share of the sky, weighted by the cosine; green: the surface's view z.
 // Jimenez et al. 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion (GTAO)
 #include "occlusionSurface"
 #include "octahedralNormal"
 #ifdef FAROL_NORMALS
 uniform highp sampler2D farol_surfaceNormal; // normal of the surface: view space, octahedral
 #endif
-// x: radius (m); y: radius at 1 m (pixels); w: its maximum (pixels); z: pixels of the picture a texel
-uniform highp vec4 farol_reach;
+uniform highp vec4 farol_reach; // x: radius (m); y: radius at 1 m (pixels); w: its maximum (pixels); z: pixels a texel
 layout(location = 0) out highp vec4 farol_open;
 
 const int FAROL_SLICES = 3;
@@ -23,7 +21,7 @@ bool farol_isInside(const in ivec2 pixel) {
   return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(farol_frameSize)));
 }
 
-// change of the view-space position (m) to the next pixel: to the neighbour on that side whose depth differs less
+// change of the view-space position (m) from a pixel to the next, on the side where depth changes less
 vec3 farol_change(const in ivec2 pixel, const in vec3 position, const in ivec2 to) {
   vec3 after = farol_positionAt(pixel + to) - position;
   vec3 before = position - farol_positionAt(pixel - to);

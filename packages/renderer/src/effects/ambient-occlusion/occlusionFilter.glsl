@@ -2,8 +2,7 @@
 // Kopf et al. 2007, Joint Bilateral Upsampling; Jimenez et al. 2016 (GTAO), spatial filter
 #include "occlusionSurface"
 uniform highp sampler2D farol_openMap;
-// x: radius (m); y: radius at 1 m (pixels); w: its maximum (pixels); z: pixels of the picture a texel
-uniform highp vec4 farol_reach;
+uniform highp vec4 farol_reach; // x: radius (m); y: radius at 1 m (pixels); w: its maximum (pixels); z: pixels a texel
 uniform highp float farol_strength; // strength of the occlusion: exponent of the share of the sky that is open
 #ifdef FAROL_ACCUMULATION
 uniform highp sampler2D farol_lit; // sum of emissive and indirect light

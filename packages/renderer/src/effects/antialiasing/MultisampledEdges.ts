@@ -35,9 +35,8 @@ const SAMPLES = 4;
  *
  * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under
  * transparent objects that write no depth, the colour is that of a nearby pixel which shows the surface; surfaces that
- * no nearby pixel shows are shaded nevertheless, up to `mostLights` lights. Not smoothed: points, lines, sprites,
- * materials with the host's own shader, stencil or depth function, and transparent objects. Do not combine with `SMAA`
- * or `TAA`, whose pictures have smooth edges already.
+ * no nearby pixel shows are still shaded, up to `mostLights`. Not smoothed: points, lines, sprites, materials with the
+ * host's own shader, stencil or depth function, and transparent objects. `SMAA` and `TAA` must not be used with it.
  * @see Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing, https://doi.org/10.1145/1944745.1944748
  */
 export class MultisampledEdges implements FarolEffect {

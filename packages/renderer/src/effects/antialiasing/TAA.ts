@@ -56,9 +56,8 @@ export interface TAAOptions {
  * cells a pixel, so that repeated sampling does not blur it. At edges whose depth agrees with the last frame's it is
  * used unchanged; elsewhere it is clipped to the colours of the pixel's neighbours (variance clipping in YCoCg). A
  * picture without changes becomes the mean of 32 samples in each pixel. Works with every technique. Changes are
- * detected from matrices, lights, and the colours and numeric properties of materials. The host's own shaders and
- * videos count as always changing; what such shaders move may ghost. Where particles are or were in the last frame no
- * history is used, so that they leave no trail.
+ * detected from matrices, lights and properties of materials; the host's own shaders and videos count as always
+ * changing, and what such shaders move may ghost. Pixels of particles, now or in the last frame, use no history.
  * @see Karis 2014, High Quality Temporal Supersampling, https://advances.realtimerendering.com/s2014/
  * @see Yang et al. 2009, Amortized Supersampling, https://doi.org/10.1145/1618452.1618481
  * @see Salvi 2016, An Excursion in Temporal Supersampling (GDC)
@@ -239,7 +238,7 @@ export class TAA implements FarolEffect {
     const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
     const follows = !history.isEmpty;
     const moved = !viewProjection.equals(history.viewProjection);
-    // changed materials and uploads count only with a still camera: a moving one shows other objects, clipped anyway
+    // changed materials and uploads count only with a still camera: a moving one shows others, whose history is clipped
     const relit =
       history.lights.changed(frame.lights) ||
       (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.materialHash));

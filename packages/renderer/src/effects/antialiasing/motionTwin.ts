@@ -14,9 +14,8 @@ const WRITE =
   'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), farol_before.w - farol_now.w, 1.0);\nif (true) return;';
 
 /**
- * Kinds of twins (materials in place of the host's) that write a surface's motion over the picture since the last
- * frame, and its change of distance. The two share one program, and draws alternate between them, since three uploads
- * uniforms only when the next draw has another material.
+ * Two kinds of twins (materials in place of the host's) that write a surface's motion since the last frame. They share
+ * a program, and draws alternate between them: three uploads uniforms only if the next draw has another material.
  * @param uniforms - uniforms of motionVertexHeader.glsl
  */
 export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinKind, TwinKind] {

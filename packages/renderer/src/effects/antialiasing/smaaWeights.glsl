@@ -3,8 +3,7 @@
 // Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here
 #include "frameSize"
 uniform highp sampler2D farol_edgeMap;
-// x, y: of the pixel and its lower neighbour, across the lower edge; z, w: of pixel and left neighbour, across the left
-layout(location = 0) out highp vec4 farol_weights;
+layout(location = 0) out highp vec4 farol_weights; // lower edge: x: pixel, y: neighbour; left: z: pixel, w: neighbour
 
 const int FAROL_REACH = 32; // distance that an edge is followed to either side (pixels)
 

@@ -54,8 +54,7 @@ vec3 farol_blend(const in vec3 below, const in vec3 color, const in float opacit
   return color + below * (1.0 - opacity);
 }
 
-// finds the decal at a pixel; false outside of its box, on surfaces turned away from its axis, or where it is
-// transparent
+// false outside of the decal's box, on surfaces turned too far from its axis, or where the decal is transparent
 bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
   if (farol_isEmpty(texelFetch(farol_surfaceDepth, pixel, 0).r)) return false;
   vec3 place = farol_inDecal(pixel);

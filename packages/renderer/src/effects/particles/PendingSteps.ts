@@ -10,7 +10,7 @@ export interface PendingStep extends SimulationStep {
 
 /** Maximum number of steps kept while the emitter is not drawn. */
 const MOST = 4096;
-/** Number of pending steps above which those whose particles have all ended are dropped. */
+/** Number of pending steps at which those whose particles have all ended are first dropped. */
 const FEW = 64;
 
 function makeStep(): PendingStep {
