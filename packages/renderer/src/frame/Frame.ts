@@ -67,7 +67,7 @@ export interface LateDraws {
 /** Shadow maps, as passes and views use them; implemented by ShadowMaps. */
 export interface TileShadows {
   /**
-   * Finds the lights that light all, or none, of each screen tile. Call once the light grid is written.
+   * Finds the screen tiles that a light's shadow map leaves wholly lit, or wholly dark. Call once the light grid is written.
    * @param gbuffer - G-buffer of the frame
    */
   findTileShadows(frame: Frame, gbuffer: GBuffer): void;
@@ -126,7 +126,7 @@ export class Frame extends FrameTarget {
 
   /** Receives draws whose pixels have no usable history; set in `begin` by TAA. */
   reactive: ReactiveMask<Frame> | null = null;
-  /** Bytes that passes have uploaded in this frame; each adds its own. */
+  /** Bytes that passes have uploaded in this frame; each pass adds its uploads. */
   uploadedBytes = 0;
   /** Bytes of a pixel of the frame's G-buffer, depth left out; 0 for none. */
   gbufferPixel = 0;
@@ -283,7 +283,7 @@ export class Frame extends FrameTarget {
     try {
       this.drawMesh(mesh, material);
     } finally {
-      // meshes of other renderers share this geometry
+      // restored, since meshes of other renderers share this geometry
       drawRange.count = count;
     }
   }

@@ -100,7 +100,7 @@ export class DepthBins {
     for (let bin = 0; bin < BINS; bin++) countsBefore[bin + 1] += countsBefore[bin];
   }
 
-  /** Counting sort: deep lights, of an extent above `limit`, then the others by the middle of their depths. */
+  /** Counting sort: deep lights, of an extent above `limit`, then the other lights by the middle of their depths. */
   private rank(count: number, limit: number): void {
     const { keys, starts, order } = this;
     starts.fill(0);

@@ -115,7 +115,7 @@ export interface MaskSettings {
   readonly shadows: ShadowedLights;
   /** Finds lights that do not reach all objects; null if all lights do. */
   readonly layers: { separates(light: Light): boolean } | null;
-  /** Area lights; null until their code is loaded: three.js draws these lights until then. Default null. */
+  /** Radii of area lights; null until their code is loaded: three.js draws area lights until then. Default null. */
   readonly areas?: AreaRadii | null;
 }
 

@@ -25,7 +25,7 @@ export class ObjectMotion {
   moves = false;
   /** World matrix; for a skinned mesh times the inverse of its bind matrix. */
   readonly matrix = new Float64Array(16);
-  /** Texture of a skinned mesh's bone matrices in the last frame; null for others. */
+  /** Texture of a skinned mesh's bone matrices in the last frame; null for other objects. */
   bones: DataTexture | null = null;
   /** Instance matrices of the copied state; null until the matrices first change. */
   instances: DataTexture | null = null;

@@ -26,7 +26,7 @@ import { contextLists } from '../../three/contextLists';
 const SIZE = ['farol_frameSize'];
 /** Number of sample positions in a pixel that frames cycle through. */
 const SAMPLES = 32;
-/** Factor on the new frame's weight for still pixels while others move. */
+/** Factor on the new frame's weight for still pixels while other pixels move. */
 const STILL = 0.5;
 /** Number of frames after a change of lights or materials in which history is always clipped to neighbouring colours. */
 const RELIT = 8;
@@ -163,7 +163,7 @@ export class TAA implements FarolEffect {
   }
 
   begin(frame: Frame): void {
-    // the targets hold a failed frame, or were lost with the context (three then has new lists)
+    // the targets hold a failed frame, or were lost with the context (three.js then has new render lists)
     if (this.open || this.contextLists !== contextLists(frame.webgl)) this.reset();
     this.open = true;
     this.contextLists = contextLists(frame.webgl);
@@ -238,7 +238,7 @@ export class TAA implements FarolEffect {
     const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
     const follows = !history.isEmpty;
     const moved = !viewProjection.equals(history.viewProjection);
-    // changed materials and uploads count only with a still camera: a moving one shows others, whose history is clipped
+    // a moving camera meets other materials and uploads; the clipping of history suffices for those
     const relit =
       history.lights.changed(frame.lights) ||
       (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.materialHash));

@@ -23,7 +23,7 @@ const REACH = { type: HalfFloatType, format: RGFormat } as const;
 export class TemporalHistory {
   /** States of objects in the last frame. */
   readonly motions = new ObjectMotions();
-  /** Pixels whose history is ignored: particles and others that change without motion. */
+  /** Pixels whose history is ignored: those of particles and other surfaces that change without motion. */
   readonly reactive = new ReactiveMasks();
   readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */

@@ -40,7 +40,7 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
   return [kind(), kind()];
 }
 
-/** True for draws whose motion the twins can draw; others count as still. */
+/** True for draws whose motion the twins can draw; other draws count as still. */
 export function hasMotionTwin(item: RenderItem): boolean {
   const material = item.material as RenderItem['material'] & {
     isMeshBasicMaterial?: boolean;

@@ -10,7 +10,7 @@ export interface PendingStep extends SimulationStep {
 
 /** Maximum number of steps kept while the emitter is not drawn. */
 const MOST = 4096;
-/** Number of pending steps at which those whose particles have all ended are first dropped. */
+/** Number of pending steps at which `drop` first drops steps whose particles have all ended. */
 const FEW = 64;
 
 function makeStep(): PendingStep {
