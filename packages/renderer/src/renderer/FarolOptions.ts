@@ -12,11 +12,10 @@ export interface FarolOptions {
   /** The finished picture ('final'), or a view of how it is made. Default 'final'. */
   view?: View;
   /**
-   * 'lite': G-buffers of 14 bytes a pixel and depth in place of 20, with materials that these do not hold drawn forward, and
-   * shadow maps within 10 bytes a pixel of the picture. 'auto': 'lite' on a device that draws to no colour buffers of
-   * whole floats or to fewer than 8 colour buffers at once, has no textures of 8,192 texels a side, no `highp` in fragment shaders, or at most
-   * 2 GB of memory, and on one that is touched and has no finer pointer (phones, tablets, headsets); else 'full'. Default
-   * 'auto'.
+   * 'lite': G-buffers of 14 bytes a pixel and depth in place of 20, where materials that need more are drawn forward, and
+   * shadow maps within 10 bytes a pixel of the picture. 'auto': 'lite' on a device that draws to no colour buffers of 32-bit
+   * floats or to at most 7 colour buffers at once, has no textures of 8,192 texels a side, no `highp` in fragment shaders, or
+   * at most 2 GB of memory, and on one whose only pointers are coarse (phones, tablets, headsets); else 'full'. Default 'auto'.
    */
   quality?: Quality;
   /**
@@ -59,14 +58,15 @@ export interface FarolOptions {
    */
   lightLayers?: boolean;
   /**
-   * Whether techniques that shade a G-buffer, and so one sample a pixel, smooth edges by SMAA where the canvas (`antialias` of
-   * the WebGLRenderer) or the render target (`samples`) has more, unless one of `effects` does it. Other techniques are
-   * multisampled there as stock three is. Default true.
+   * Whether SMAA smooths edges for techniques that shade a G-buffer, and therefore only one sample a pixel, where the canvas
+   * (`antialias` of the WebGLRenderer) or the render target (`samples`) is multisampled and none of `effects` smooths edges.
+   * Other techniques are multisampled there as stock three is. Default true.
    */
   antialias?: boolean;
   /**
-   * A RectAreaLight without `userData.farol.range` ends where the irradiance of a surface that faces it falls to this: lists
-   * leave it out beyond. Up to half of that distance it is as bright as in three. With 0, none ends. Default 0.0002.
+   * A RectAreaLight without `userData.farol.range` ends at the distance where the irradiance of a surface that faces it falls
+   * to this (unit of `intensity` × steradian). Up to half of that distance it is as bright as in three. 0: no light ends.
+   * Default 0.0002.
    */
   areaLightThreshold?: number;
   /** Side of the lighting buffers of the technique 'inferred', as a share of the picture's: above 0, at most 1. Default 0.5. */

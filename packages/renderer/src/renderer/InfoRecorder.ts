@@ -58,7 +58,7 @@ export class InfoRecorder {
       },
       uploadBytes: 0,
     };
-    // registered before listeners of the host, which may draw
+    // registered before the host's own listeners, since these may draw a frame
     webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
   }
 

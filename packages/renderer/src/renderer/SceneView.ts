@@ -27,9 +27,7 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
-/**
- * @param backs - whether to draw only back faces of double-sided transmissive objects, into three's transmission target
- */
+/** @param backs - true to draw only back faces of double-sided transmissive objects, into three's transmission target */
 export type DrawScene = (backs: boolean) => void;
 
 /** Stand-in for a host's scene that three's `render` is given. */
@@ -75,7 +73,7 @@ export class SceneView {
   private holdsCamera = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
-  /** The host's values of `CLEARS` while three is kept from clearing. */
+  /** The host's values of the four `CLEARS` flags, while three is kept from clearing. */
   private readonly autoClear = [true, true, true, true];
   private keeps = false;
   /** Pixels that draws must write, since three was kept from clearing the target; null if three clears. */

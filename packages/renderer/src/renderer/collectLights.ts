@@ -6,7 +6,7 @@ import { POINT, readPoint } from '../lights/plainPoints';
 
 const { updateMatrixWorld } = Object3D.prototype;
 const identity = new Matrix4();
-/** Minimum number of children from which on `fetching.reader` reads their lights. */
+/** Number of children from which on their lights are read in one go, by `fetching.reader`. */
 const ROW = 8;
 
 /** Update of children's world matrices: none, those with `matrixWorldNeedsUpdate`, or all. */
@@ -83,7 +83,7 @@ function visitChildren(
     if (matrices !== KEPT) child.updateMatrixWorld(matrices === FORCED);
     if (!child.visible) continue;
     const first = found.nested.length;
-    // three need not traverse a child that holds nothing but managed lights
+    // a child that holds nothing but managed lights is left out of three's traversal
     if (visit(child, isLight, camera, left, found)) found.nested.length = first;
     else found.rest.push(child);
   }
