@@ -1,6 +1,6 @@
 /**
- * Width of the border round each mipmap level of a texture copied into an atlas (texels), of a cube round each face; it
- * holds the texels that the texture's wrapping, or the next face, puts there.
+ * Width of the border round each mipmap level of a texture copied into an atlas, for a cube round each face (texels); holds the
+ * texels that the texture's wrapping, or the next face, puts there.
  */
 export const LEVEL_BORDER = 1;
 

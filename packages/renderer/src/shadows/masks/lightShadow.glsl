@@ -85,7 +85,7 @@ FarolDisk farol_mapDisk(const in vec4 region, const in vec3 coord, const in vec2
 }
 
 // region of the first cascade that contains coord, else of the whole shadow camera's map; transforms coord into it;
-// two regions a row
+// the regions lie two in a row of the atlas
 vec4 farol_cascadeRegion(const in int record, const in vec4 region, inout vec3 coord, const in int cascades) {
   int map = cascades;
 #ifdef FAROL_SHADOW_CASCADES

@@ -78,7 +78,7 @@ export class LightSlots {
 
   /**
    * Adds a light that casts shadows, projects an image or has a profile.
-   * @param cascades - number of maps of a directional light, the whole one included; 1 for other lights
+   * @param cascades - number of maps of a directional light, its whole camera's included; 1 for other lights
    */
   add(
     light: ShadowLight,

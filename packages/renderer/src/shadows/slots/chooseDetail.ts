@@ -22,7 +22,7 @@ export function chooseDetail(
   { autoUpdate, type }: WebGLShadowMap,
   isFull: boolean,
 ): void {
-  // not for variance shadow maps, whose blur is in texels, nor basic ones, which show each texel
+  // variance shadow maps, whose blur is in texels, and basic ones, which show each texel, keep their size
   const isFiltered = type !== VSMShadowMap && type !== BasicShadowMap;
   let grown = 0;
   for (const slot of slots) {

@@ -58,7 +58,7 @@ export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Cluster
 }
 
 /**
- * Adds the clusters of a group whose bits are set.
+ * Adds those clusters of a group whose bits are set in `clusters`.
  * @param start - first index of the group's first cluster
  * @param end - index after the group's last cluster
  */
