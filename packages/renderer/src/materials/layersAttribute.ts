@@ -1,9 +1,6 @@
 import { beforeLastBrace } from '../three/beforeLastBrace';
 
-/**
- * Last but one of the 16 vertex attributes that WebGL 2 guarantees; objectAttribute.ts uses the last, three's materials need
- * fewer.
- */
+/** Location of the last but one of the 16 vertex attributes of WebGL 2; objectAttribute.ts uses the last, three fewer. */
 const LOCATION = 14;
 
 const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_layersAttribute;\nflat out highp vec2 farol_objectLayers;\n`;

@@ -10,7 +10,7 @@ uniform highp sampler2D farol_sums2;
 uniform highp sampler2D farol_sums3;
 #endif
 uniform highp vec2 farol_size; // size of the light buffer (texels)
-uniform highp vec4 farol_lightGrid; // xy: light buffer texels a pixel; zw: offset of the picture (pixels)
+uniform highp vec4 farol_lightGrid; // xy: light buffer texels per pixel; zw: offset of the picture (pixels)
 
 struct FarolReader {
   vec3 positionVS;

@@ -123,7 +123,7 @@ export class MultipassLightsPass implements Pass {
    */
   private firstLight(frame: Frame): number {
     const { lights, view } = frame;
-    if (view !== 'final' && view !== 'grid') return -1; // other views show the lights alone
+    if (view !== 'final' && view !== 'grid') return -1; // other views show no ambient light
     if (lights.directional + lights.unbounded > 0) return 0;
     let first = -1;
     let largest = FIRST_SHARE * frame.width * frame.height;
