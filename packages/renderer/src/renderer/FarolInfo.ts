@@ -17,7 +17,7 @@ export interface PassInfo {
 export interface MemoryInfo {
   /** Bytes of G-buffers, depth included. */
   gbuffer: number;
-  /** Bytes of a pixel of the frame's G-buffer, depth (4 bytes) left out; 0 for none. */
+  /** Bytes of a pixel of the frame's G-buffer, depth (4 bytes) left out; 0 without a G-buffer. */
   gbufferPixel: number;
   /** Bytes of other targets of techniques and views. */
   targets: number;
@@ -55,14 +55,14 @@ export interface FarolInfo {
   budget: Readonly<BudgetInfo> | null;
   /** Parts of the shown view of a buffer, or why it cannot be shown; null for other views, and while code is fetched. */
   view: ViewInfo | null;
-  /** Number of lights in the scene, and of those that may reach the view; both include all lights that LightFields draw. */
+  /** Number of lights in the scene, and of those that may light what the camera sees; each counts all lights of LightFields. */
   lights: { total: number; visible: number };
   /**
    * Numbers of shadow maps drawn in this frame, of their texels, of maps kept from earlier frames, and of kept maps whose depth
    * bounds spare look-ups; bytes of the atlases.
    */
   shadows: { drawn: number; texels: number; kept: number; bounded: number; bytes: number };
-  /** Programs alive in the WebGLRenderer. */
+  /** Number of programs alive in the WebGLRenderer. */
   programs: number;
   /** Quality of the frame: 'lite' or 'full'. */
   quality: 'full' | 'lite';

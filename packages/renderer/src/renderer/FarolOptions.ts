@@ -27,8 +27,8 @@ export interface FarolOptions {
   budget?: FrameBudget | null;
   /**
    * Whether 'auto' learns which technique is faster on this GPU: where its rules are close to choosing another, that one draws
-   * up to 2% of the frames, timed. `localStorage` keeps what was learnt; `clearLearnt()` forgets it. Nothing is learnt without
-   * EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
+   * up to 2% of the frames and is timed. `localStorage` keeps what was learnt; `clearLearnt()` forgets it. Nothing is learnt
+   * without EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
    */
   learning?: boolean;
   /** Whether each pass is timed by EXT_disjoint_timer_query_webgl2. Default false: then a host's own time queries work. */
@@ -46,8 +46,9 @@ export interface FarolOptions {
    */
   shadowAtlasSize?: number | null;
   /**
-   * Shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only what is near
-   * the camera, a quarter as far as the next, in a map of the same size. Not for VSMShadowMap. Default 1, as in three.
+   * Shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only what is
+   * near the viewer's camera, to a quarter of the next one's distance, in a map of the same size. Not for VSMShadowMap. Default
+   * 1, as in three.
    */
   shadowCascades?: number;
   /**

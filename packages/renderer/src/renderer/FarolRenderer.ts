@@ -51,7 +51,7 @@ const FEW = 16;
 export class FarolRenderer extends EventDispatcher<FarolEvents> implements Required<FarolOptions> {
   /** Parts of the code that are fetched when a scene or setting first needs them, by the names that `preload` takes. */
   static readonly parts: readonly LazyPart[] = lazyCode.map(({ name }) => name);
-  /** Shader pieces of all draws; replacing one changes the next frame. */
+  /** Microshaders, pieces of GLSL, of all draws; replacing one changes the next frame. */
   readonly microshaders: MicroShaderRegistry;
   declare timing: boolean;
   declare heatMapMaximum: number;
@@ -315,11 +315,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
 
   /**
    * Fetches code ahead, for all renderers of the page, that `render` else fetches when first needed. In brackets, until then:
-   * Shadow maps, cookies and light layers (three draws shadows and maps of up to four lights, more have none, and layers are
-   * ignored), area lights (three draws them as rectangles), light fields (they light nothing), anti-aliasing of techniques with
-   * a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them), views of surfaces, overdraw and
-   * buffers (the final picture is shown), techniques other than 'deferred' and 'forward-single-pass', and the rules of 'auto'
-   * (the scene's last technique draws, or one of these two), GPU times, frame budgets.
+   * Shadow maps, cookies and light layers (three draws those of up to four lights, further lights have none, and light layers
+   * are ignored), area lights (three draws them as rectangles), light fields (they light nothing), anti-aliasing of techniques
+   * with a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them), views of surfaces,
+   * overdraw and buffers (the final picture is shown), techniques other than 'deferred' and 'forward-single-pass', and the
+   * rules of 'auto' (the scene's last technique draws, or one of these two), GPU times, frame budgets.
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */

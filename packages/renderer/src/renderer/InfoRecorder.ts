@@ -27,7 +27,7 @@ export class InfoRecorder {
   constructor(
     private readonly webgl: WebGLRenderer,
     last: LastFrame,
-    /** Writes the bytes held, by use, to `memory`; called when the host reads them. Returns the sum. */
+    /** Writes the bytes that Farol holds, by use, to `memory`, when the host reads them. Returns their sum. */
     count: (memory: MemoryInfo) => number,
   ) {
     const held = { gbuffer: 0, gbufferPixel: 0, targets: 0, lists: 0, shadows: 0, lights: 0, effects: 0 };

@@ -22,7 +22,7 @@ export interface SurfaceRenderer {
 
 /** Options of the constructor of Surface. */
 export interface SurfaceOptions {
-  /** Time (s) passed to the hooks, as an object that surfaces may share. Default a new object. */
+  /** Time (s) passed to the surface's GLSL functions, in an object that surfaces may share. Default a new object. */
   readonly time?: IUniform<number>;
 }
 
@@ -48,7 +48,7 @@ function whiteTexture(): DataTexture {
 export class Surface {
   /** Number, unique on the page, in the GLSL names and chunks of the surface. */
   readonly id = ++count;
-  /** Time (s) passed to the hooks; set it in each frame for animated surfaces. */
+  /** Time (s) passed to the surface's GLSL functions; set it in each frame for animated surfaces. */
   readonly time: IUniform<number>;
   /** Number of edits of the surface's GLSL text. */
   version = 0;

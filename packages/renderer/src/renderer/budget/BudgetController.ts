@@ -43,7 +43,7 @@ const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
  */
 export class BudgetController {
   reason: string = REASONS.unknown;
-  /** Median of the last times (ms); null before the first. */
+  /** Median of the last frame times (ms); null before the first. */
   ms: number | null = null;
   source: BudgetSource = 'interval';
   /** Number of steps below the largest scale: at present, and as a goal. */

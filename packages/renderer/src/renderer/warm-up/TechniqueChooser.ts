@@ -9,7 +9,7 @@ export interface SceneFigures {
   readonly bounded: number;
   /** Number of lights that reach every pixel: directional ones and those without a range. */
   readonly everywhere: number;
-  /** Mean number of lights with a range over a pixel, whatever its depth. */
+  /** Mean number of lights with a range over a pixel, at any depth. */
   readonly coverage: number;
   /** Number of opaque items drawn. */
   readonly objects: number;

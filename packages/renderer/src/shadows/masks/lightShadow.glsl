@@ -36,7 +36,7 @@ float farol_shadowTap(const in vec2 texel, const in float depth) {
   return textureLod(farol_shadowAtlas, vec3(texel * farol_atlasTexel.x, depth), 0.0);
 }
 
-// cosine and sine of the disk's rotation in this pixel
+// cosine and sine of the PCF disk's rotation in this pixel
 vec2 farol_diskTurn() {
 #ifdef FAROL_PER_VERTEX
   return vec2(1.0, 0.0);
@@ -221,14 +221,14 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
   FarolDisk disk;
   if (farol_isCube(mask, isPoint)) {
 #ifdef FAROL_SHADOW_CUBES
-#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF shadow maps
     disk = farol_cubeDisk(mask.region, mask.border, coord.xyz, mask.filtering.xy, mask.filtering.z);
     float depth = disk.middle.z;
 #else
     float depth = mask.filtering.x + mask.filtering.y / max(max(abs(coord.x), abs(coord.y)), abs(coord.z));
 #endif
     inside = depth >= 0.0 && depth <= 1.0; // whether the surface is between the shadow camera's near and far planes
-#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
+#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic shadow maps
     if (mask.lookup == FAROL_LOOKUP_CUBE_BASIC)
       lit = farol_shadowTap(farol_cubeTexel(mask.region, mask.border, farol_cubeFace(coord.xyz), true), depth);
 #endif
@@ -240,20 +240,20 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
     vec2 extent = vec2(mask.region.z, 0.0); // height of the map (texels), number of its cascades
     if (mask.isExtended) extent = farol_maskHeightAndCascades(record);
     vec4 region = farol_cascadeRegion(record, vec4(mask.region, extent.x), across, int(extent.y));
-#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
+#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic shadow maps
     if (mask.lookup == FAROL_LOOKUP_BASIC)
       lit = farol_shadowTap(
         clamp(floor(region.xy + across.xy * region.zw) + 0.5, region.xy + 0.5, region.xy + region.zw - 0.5), across.z);
 #endif
-#if ( FAROL_SHADOW_LOOKUPS & 4 ) != 0 // variance
+#if ( FAROL_SHADOW_LOOKUPS & 4 ) != 0 // variance shadow maps
     if (mask.lookup == FAROL_LOOKUP_VARIANCE) lit = farol_varianceShadow(region, across, mask.filtering.y);
 #endif
-#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF shadow maps
     disk = farol_mapDisk(region, across, mask.filtering.yz);
 #endif
 #endif
   }
-#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF shadow maps
 #if FAROL_SHADOW_LOOKUPS != 2
   if (mask.lookup == FAROL_LOOKUP_PCF || mask.lookup == FAROL_LOOKUP_CUBE_PCF)
 #endif

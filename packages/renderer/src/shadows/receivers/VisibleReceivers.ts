@@ -247,7 +247,10 @@ function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   return true;
 }
 
-/** Widens the visible parts to hold the part of a box within reach. @returns whether they were widened */
+/**
+ * Widens the visible parts to hold the part of a box within the light's range. @returns whether they were widened
+ * @returns whether they were widened
+ */
 function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): boolean {
   let widens = false;
   if (isCube) {

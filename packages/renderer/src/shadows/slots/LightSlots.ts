@@ -97,7 +97,7 @@ export class LightSlots {
     slot.cookie = image === null ? null : this.copyOf(image, this.images);
     slot.profile = profile === null ? null : this.copyOf(profile, this.profiles);
     const { mask } = light.shadow.camera.layers;
-    // as in three: a shadow camera that has layer 0 alone draws the layers of the camera
+    // as in three: a shadow camera that has layer 0 alone draws the layers of the picture's camera
     slot.setLayers((mask & 0xfffffffe) !== 0 ? mask : this.layersSeen);
     this.lit.push(slot);
   }

@@ -19,7 +19,7 @@ struct FarolReader {
   vec2 size; // size of the light buffer (texels)
   float reach; // largest distance of an agreeing texel from the tangent plane (m): two texels' width at that depth
   int stride; // 2 for a stippled layer: every second texel
-  ivec2 corner; // corner of the stipple
+  ivec2 corner; // the layer's texel in each 2 × 2, or 0
   ivec2 last; // last texel in steps of the stride
   vec4 sums0;
   vec4 sums1;

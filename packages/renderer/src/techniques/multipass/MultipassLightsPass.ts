@@ -65,7 +65,7 @@ export class MultipassLightsPass implements Pass {
   render(frame: Frame): void {
     this.fogged = frame.target !== null && !isDrawnAsCanvas(frame.target);
     this.items.length = 0;
-    // an enclosing frame's value, if a callback draws this frame
+    // kept for an enclosing frame, one of whose callbacks may draw this frame
     const mark = lightMark.value;
     try {
       this.prepareTarget(frame);
