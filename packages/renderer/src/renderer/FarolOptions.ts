@@ -21,8 +21,8 @@ export interface FarolOptions {
   /**
    * Holds a frame's time by drawing the scene at a smaller scale and enlarging the picture to the target's size:
    * `{ frame: 16.7, min: 0.5, max: 1 }` has milliseconds a frame, and limits of the scale along a side. `FarolInfo.budget` tells
-   * the scale at hand. Frames are timed by the GPU, else by the intervals between them, which tell something only if the host
-   * draws continuously. Default null: the scene is drawn at the size of its target.
+   * the present scale. Frames are timed by the GPU, else by the intervals between them, which tell a frame's time only if the
+   * host draws continuously. Default null: the scene is drawn at the size of its target.
    */
   budget?: FrameBudget | null;
   /**
@@ -47,8 +47,7 @@ export interface FarolOptions {
   shadowAtlasSize?: number | null;
   /**
    * Shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only what is
-   * near the viewer's camera, to a quarter of the next one's distance, in a map of the same size. Not for VSMShadowMap. Default
-   * 1, as in three.
+   * near the viewer, a quarter as far as the next, in a map of the same size. Not for VSMShadowMap. Default 1, as in three.
    */
   shadowCascades?: number;
   /**

@@ -117,7 +117,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
   }
 
-  /** Key of the technique. @throws Error when unknown, or the device cannot run it */
+  /** Key of the technique. @throws Error when set to an unknown one, or one that the device cannot run */
   get technique(): TechniqueName {
     return this.picker.technique;
   }
@@ -150,7 +150,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (this.technique === name) this.technique = 'auto';
   }
 
-  /** @throws Error when set to no list of effects, or to effects that conflict, such as two that move the camera */
+  /** @throws Error when set to anything but a list of effects, or to conflicting ones, such as two that move the camera */
   get effects(): readonly FarolEffect[] {
     return this.effectList.hostEffects;
   }

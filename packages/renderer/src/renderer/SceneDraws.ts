@@ -168,7 +168,7 @@ export class SceneDraws {
   private drawTransmitted(): void {
     const { queue } = this.frame;
     for (const item of queue.opaque) this.frame.drawForward(item, this.transmittedTwins('final'));
-    // three's transmission pass has marked items of node materials as drawn; the host's target still needs them
+    // the loop has marked items of node materials as drawn; they must still be drawn into the host's target
     for (const item of queue.opaque) item.drawn = false;
   }
 

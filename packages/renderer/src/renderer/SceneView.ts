@@ -83,7 +83,7 @@ export class SceneView {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly source: Object3D,
-    /** Called inside `render` when the lists are complete and nothing is drawn yet. */
+    /** Called inside `render` when three's render lists are complete and nothing is drawn yet. */
     private readonly begun: () => void,
   ) {
     const scene = source as Scene;
@@ -103,7 +103,7 @@ export class SceneView {
       this.drawAll(false);
     });
     this.glass = makeDriver(() => this.drawAll(true));
-    // a transmissive item of this list makes three draw the back faces of its transmission pass
+    // as a transmissive, double-sided item it makes three draw the back faces of the transmission pass
     Object.assign(this.glass.material, { transmission: 1, side: DoubleSide });
     this.takeList();
   }

@@ -39,11 +39,11 @@ export function collectLights(
     // three's traversal also visits lights that are children of the root
     if (root.visible) visit(root, (root as Light).isLight === true, camera, left, found);
   }
-  // drops references to lights of larger earlier frames
+  // drops references to lights of earlier frames that had more lights
   if (found.all.length > found.count) found.all.length = found.count;
 }
 
-/** As three's `updateMatrixWorld`, without the children. @returns whether the children's matrices must be updated */
+/** Does as three's `updateMatrixWorld`, but for one object. @returns whether its children's matrices must be updated */
 function updateOne(object: Object3D, force: boolean): boolean {
   if (object.matrixAutoUpdate) object.updateMatrix();
   if (!(object.matrixWorldNeedsUpdate || force)) return false;

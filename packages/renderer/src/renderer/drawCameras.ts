@@ -3,7 +3,7 @@ import { Lazy } from '../frame/Lazy';
 import type { Session } from '../frame/Session';
 import { afterRender, beforeRender } from './sceneCallbacks';
 
-/** Pictures by an array of cameras, each into its part of the target. */
+/** Code that draws by each camera of an array, into the camera's part of the target. */
 export const arrayCode = new Lazy('camera-arrays', () => import('./camera-arrays'), 'three draws arrays of cameras');
 
 /**

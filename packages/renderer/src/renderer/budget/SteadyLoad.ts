@@ -1,4 +1,4 @@
-/** Number of times or loads in a median. */
+/** Number of frame times, or of loads, of which a median is taken. */
 export const RECENT = 5;
 const sorted = new Float64Array(RECENT);
 /** Minimum and maximum number of loads in the mean, and the relative error of the mean at which no more loads are needed. */

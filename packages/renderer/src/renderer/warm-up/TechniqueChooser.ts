@@ -5,7 +5,7 @@ import type { Overdraw } from './Overdraw';
 
 /** Cheap figures of a frame, known before anything is drawn. */
 export interface SceneFigures {
-  /** Number of lights with a range in view. */
+  /** Number of lights in view that have a range. */
   readonly bounded: number;
   /** Number of lights that reach every pixel: directional ones and those without a range. */
   readonly everywhere: number;

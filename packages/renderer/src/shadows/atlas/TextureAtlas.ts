@@ -10,7 +10,7 @@ export interface AtlasTenant {
   readonly isCube: boolean;
   /** Number of maps along a side, for a tenant that is a square of several shadow maps; 1 when absent. */
   readonly side?: number;
-  /** Number of maps along a side, for a tenant that is a square of several shadow maps; 1 when undefined. */
+  /** Side set by the light (texels). */
   readonly wantedWidth: number;
   readonly wantedHeight: number;
   /** Share of the picture that the light covers, 0 to 1. */

@@ -24,7 +24,7 @@ vec3 farol_cubeFace(const in vec3 direction) {
   return vec3(vec2(-side.z * direction.x, direction.y) / size.z * 0.5 + 0.5, 4.5 - 0.5 * side.z);
 }
 
-// place in the atlas (texels); region: corner, side of a face without its border (texels); border: texels
+// place in the atlas (texels) of a point on a cube's face; region: corner, side of a face without border (texels)
 vec2 farol_cubeTexel(const in vec3 region, const in float border, const in vec3 face, const in bool nearest) {
   vec2 cell = vec2(mod(face.z, 3.0), floor(face.z / 3.0 + 0.01));
   vec2 texel = face.xy * region.z;
@@ -61,7 +61,7 @@ struct FarolDisk {
   vec4 bounds; // least x, y and greatest x, y (0..1 in the atlas) that samples are clamped to
 };
 
-// without branches, so that other lighting is computed while samples are fetched
+// lit share of a disk's samples; without branches, so that other lighting is computed while samples are fetched
 float farol_diskShadow(const in FarolDisk disk) {
   float lit = 0.0;
   for (int i = 0; i < 5; i++) {
@@ -294,9 +294,9 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
   float size = mask.filtering.z / away; // size of the light over its distance from the surface
   vec2 turn = FAROL_TURN;
   float blockers = 0.0;
-  float distances = 0.0; // distance of blockers, as parts of the distance to the surface
+  float distances = 0.0; // sum of the blockers' distances, as parts of the distance to the surface
   for (int i = 0; i < FAROL_SEARCHES; i++) {
-    // more directions near the middle, where blockers near the surface are
+    // more directions near the disk's middle, where blockers near the surface are
     float part = (float(i) + 0.5) / float(FAROL_SEARCHES);
     vec2 at = farol_spiral(i, turn) * (part * min(2.0 * size, 1.0));
     vec3 direction = forward + at.x * right + at.y * up;

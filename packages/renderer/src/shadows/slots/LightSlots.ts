@@ -8,7 +8,7 @@ import type { ImageSamplers } from './ImageSamplers';
 import type { ShadowLight } from './ShadowLight';
 import { ShadowSlot } from './ShadowSlot';
 
-/** Number of frames for which the shadow map or cookie of an unlit light stays in its atlas. */
+/** Number of frames for which the shadow map or cookie of a light that no frame uses stays in its atlas. */
 const KEPT_FRAMES = 600;
 
 /** Releases atlas regions of shadow maps and cookies. */

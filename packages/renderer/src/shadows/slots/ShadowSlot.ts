@@ -69,13 +69,13 @@ export class ShadowSlot implements AtlasTenant {
   readonly placement = new AtlasPlacement();
   /** State of the shadow map in its region of the atlas. */
   readonly map = new AtlasMap();
-  /** Halvings of the map whose detail pictures would not show; set by `chooseDetail` and the atlas. */
+  /** Number of halvings of the map because pictures would show no more detail; set by `chooseDetail` and the atlas. */
   readonly detail = new MapDetail();
 
   // fields below: set in each frame, when slots are collected
-  /** The scene in which the light was last lit. */
+  /** The scene of the last frame that used the light. */
   root: Object3D | null = null;
-  /** Last frame in which the light was lit. */
+  /** Number of the last frame that used the light. */
   lastLit = 0;
   /** Share of the picture that the light covers, 0 to 1. */
   coverage = 1;

@@ -149,7 +149,7 @@ export class MultipassLightsPass implements Pass {
     offset.set(frame.viewport.x, frame.viewport.y);
   }
 
-  /** Whether three would tone map, fog and dither the material as the output pass does all pixels. */
+  /** Whether three would tone map, fog and dither the material as the output pass treats all pixels. */
   private sums(material: Material, frame: Frame): boolean {
     if (frame.hasMedia && (material as Material & { fog?: boolean }).fog === false) return false;
     if (this.fogged) return true;

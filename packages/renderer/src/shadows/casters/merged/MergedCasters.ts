@@ -196,7 +196,7 @@ export class MergedCasters {
     caster.queuedVersion = -1;
   }
 
-  /** Adds the clusters that the drawn part of each face of a light's map may show to that face's runs. */
+  /** Adds to the runs of each face of a light's map the clusters that the drawn part of the face may show. */
   addTo(slot: ShadowSlot, bothSides: boolean): void {
     const { isCube, reach, layers, drawnFaces } = slot;
     const { present, presentBoxes: boxes } = this;
