@@ -46,8 +46,8 @@ export interface FarolOptions {
    */
   shadowAtlasSize?: number | null;
   /**
-   * Shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only what is
-   * near the viewer, a quarter as far as the next, in a map of the same size. Not for VSMShadowMap. Default 1, as in three.
+   * Number of shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only
+   * what is near the viewer, a quarter as far as the next, at the same size. Not for VSMShadowMap. Default 1, as in three.
    */
   shadowCascades?: number;
   /**

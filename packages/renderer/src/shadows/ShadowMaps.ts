@@ -296,7 +296,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     }
   }
 
-  /** Moves the cameras of maps that may be drawn along with the lights, and marks maps that change by this as stale. */
+  /** Moves the cameras of maps that may be drawn to the lights, and marks as stale the maps that this changes. */
   private followLights(updates: boolean, camera: Camera): void {
     const reversed = isDepthReversed(this.webgl);
     for (const slot of this.slots.lit) {

@@ -191,7 +191,7 @@ export class BudgetController {
     const constant = (y / n - (slope * x) / n) / slope;
     const change =
       ((0.3 * spread) / (spread + 4 * this.load.noise ** 2)) * (Math.min(Math.max(constant, 0), 1) - this.constant);
-    // so that load and constant still predict this frame's time
+    // rescaled so that load and constant still predict this frame's time
     this.load.rescale((this.constant + area) / (this.constant + change + area));
     this.constant += change;
   }

@@ -53,7 +53,7 @@ void farol_addTap(inout vec4 sum, inout float total, const in vec2 off, const in
 vec2 place = (gl_FragCoord.xy - farol_offset) * farol_scaling - 0.5;
 ivec2 f = ivec2(floor(place));
 vec2 part = place - vec2(f);
-// m n o p
+// m n o p (names of the sixteen pixels)
 // i j k l
 // e f g h
 // a b c d

@@ -128,7 +128,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   preparation: P | null = null;
   private current: Choice | null = null;
   private waited = 0;
-  /** Frames in a row in which another technique than `current` was best. */
+  /** Number of frames in a row in which another technique than `current` was best. */
   private outdone = 0;
   private frames = 0;
 

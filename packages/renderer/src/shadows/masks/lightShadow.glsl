@@ -264,7 +264,7 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
 
 #ifdef FAROL_SOFT_SHADOWS
 const int FAROL_SEARCHES = 16; // number of directions in which blockers are searched
-const int FAROL_HALVINGS = 4; // halvings of the distance to the surface in a search for a blocker
+const int FAROL_HALVINGS = 4; // number of halvings of the distance to the surface in a search for a blocker
 const int FAROL_SOFT_TAPS = 20;
 
 // 0 if the map has a blocker between the light and a place (m, relative to the light), else 1

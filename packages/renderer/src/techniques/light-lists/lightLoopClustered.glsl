@@ -31,7 +31,7 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 // per tile of 8 × 8 pixels, a texel for each two words (32 lights each): bits of lights whose shadow maps leave the
 // whole tile lit, then of lights that are wholly shadowed there; both bits: a point light that lights all of the tile
 uniform highp usampler2D farol_tileShadows;
-uniform highp int farol_tileShadowWords; // words of farol_tileShadows for each tile; 0 while there are none
+uniform highp int farol_tileShadowWords; // number of words of farol_tileShadows for each tile; 0 while there are none
 
 uvec2 farol_tileMarks(const in int word) {
   if (word >= farol_tileShadowWords) return uvec2(0u);

@@ -95,7 +95,7 @@ export class MultipassLightsPass implements Pass {
     // by index: an iterator would allocate until the engine compiles the loop
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
-      // not for lines: where segments meet, one would show ambient light and another the added lights
+      // skips lines: where segments meet, one would show ambient light and another the added lights
       if (item.route !== 'split' || 'isLine' in item.object || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
@@ -196,7 +196,7 @@ export class MultipassLightsPass implements Pass {
       const item = this.items[i];
       if (this.compiled.get(item.object) === item.material) continue;
       this.compiled.set(item.object, item.material);
-      // not where a host's callback may change the target and so the scissor: the light would be added twice
+      // skips items whose callback may change the target and so the scissor: the light would be added twice
       if (item.object.onBeforeRender !== onBeforeRender) continue;
       if (!scissored) {
         setScissor(webgl, scissor.set(0, 0, 0, 0));
