@@ -223,7 +223,7 @@ export class TextureAtlas {
     return true;
   }
 
-  /** Halves the map with most texels for the share of the picture that its light covers. @returns the texels freed */
+  /** Halves the map with most texels for the share of the picture that its light covers. @returns number of texels freed */
   private halve(tenants: readonly AtlasTenant[]): number {
     let worst: AtlasTenant | null = null;
     let most = 0;
