@@ -124,7 +124,7 @@ export class AudioSource extends component({
 
   override onEnterScene(scene: Scene): void {
     const { sound } = this;
-    // the library reports a sound that cannot be loaded
+    // the error is ignored: the library reports a sound that cannot be loaded
     if (sound !== null && !scene.assets.isReady('sound', sound)) void scene.assets.load(sound).catch(() => {});
   }
 

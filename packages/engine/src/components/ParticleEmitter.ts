@@ -121,7 +121,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (time < this.beganAt) this.beganAt = time;
     const due = time - this.beganAt;
     if (Math.abs(emitter.time + deltaSeconds - due) < SAME_TIME) {
-      // an emitter that is not drawn is not prewarmed either
+      // no step of 0 s: it would prewarm the emitter, which may never be drawn
       if (deltaSeconds > 0) emitter.step(deltaSeconds);
       return;
     }
@@ -130,7 +130,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (due > 0) emitter.step(due);
   }
 
-  /** @internal Called when other lights are shown alone, or no longer. */
+  /** @internal Called when the choice of lights that are shown alone (solo) has changed. */
   followSolo(): void {
     const lights = this.emitter?.lights;
     if (lights && this.scene) lights.visible = !LightGroups.of(this.scene).isMuted(this);

@@ -34,7 +34,7 @@ export class PrefabTable {
   }
 
   /**
-   * Whether any of the prefabs `ids` is `inner`, or holds an instance of `inner` at any depth. Each is visited once.
+   * Whether any of the prefabs `ids` is `inner`, or holds an instance of `inner` at any depth. Visits each prefab once.
    */
   anyContains(ids: Iterable<string>, inner: string): boolean {
     const seen = new Set(ids);
