@@ -60,7 +60,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   }
 
   /**
-   * Renames an asset and its parts. References to the old name are not updated here: see `fields`.
+   * Renames an asset and its parts. The caller updates fields that refer to the old name.
    * @returns new names of all renamed assets, by old name
    * @throws AssetError when it is built in, a part of a model or unknown, or the name is taken
    */

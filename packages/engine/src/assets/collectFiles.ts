@@ -1,4 +1,4 @@
-/** Dropped files, by their path with `/`: 'room/textures/wall.png'. */
+/** Files, as users drag them onto a page, by their path with `/`: 'room/textures/wall.png'. */
 export type FileMap = ReadonlyMap<string, File>;
 
 /** All files of a drop, including the content of folders. */

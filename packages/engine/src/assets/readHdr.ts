@@ -9,7 +9,7 @@ const MOST_WIDTH = 0x7fff;
 const MOST = 65_504;
 
 interface HdrHeader {
-  /** Pixels of a scan line; `count` is the number of scan lines. Columns where `isTurned`. */
+  /** Pixels of a scan line; `count` is the number of scan lines. Scan lines are columns where `isTurned`. */
   readonly length: number;
   readonly count: number;
   readonly isTurned: boolean;
@@ -104,8 +104,8 @@ class RowReader {
   }
 
   /**
-   * Reads a scan line pixel by pixel; the pixel 1 1 1 n repeats the last pixel n times, consecutive ones of these count
-   * 256 times as much each.
+   * Reads a scan line pixel by pixel. The pixel 1 1 1 n repeats the last pixel n times; if several such pixels follow
+   * each other, the second counts n × 256 times, the third n × 65536.
    */
   private readFlat(): void {
     const { bytes, row, length } = this;

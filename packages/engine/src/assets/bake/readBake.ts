@@ -72,7 +72,7 @@ function readHead(parts: Parts): BakeHead {
 }
 
 function readMeshes(head: BakeHead, bytes: Uint8Array): LightmappedMesh[] {
-  // each coded number is at least one byte of the file
+  // refuses false counts before arrays of that size are made: each coded number takes at least one byte
   const numbers = head.meshes.reduce((sum, { vertices, triangles }) => sum + 3 * vertices + 3 * triangles, 0);
   if (numbers > bytes.length) damaged();
   const reader = new NumberReader(bytes);
