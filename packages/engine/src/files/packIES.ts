@@ -9,7 +9,7 @@ function textOf(bytes: Uint8Array): string {
  * Embeds the tilt file that a photometric file names (TILT=file) into it, unchanged otherwise.
  * @param bytes - the .ies
  * @param find - returns the bytes of the tilt file; null when missing
- * @returns the same bytes when it names none or the tilt file is missing, which reading the result reports
+ * @returns the same bytes when it names none or the tilt file is missing: reading the result reports that
  * @see ANSI/IES LM-63-19: TILT=INCLUDE
  */
 export async function packIES(

@@ -69,7 +69,7 @@ export function assetInFile(asset: FieldAsset): FileAsset {
 
 /** Path of an asset in a container. Any name gives a safe path, also '..' or a lone surrogate. */
 function pathInContainer(name: string): string {
-  // a percent sign before 'u' occurs in no other path
+  // a lone surrogate becomes '%u' and its code; after '%', encodeURIComponent writes hex digits only, so no paths clash
   const path = name
     .split(/([\ud800-\udfff])/u)
     .map((part, i) => (i % 2 === 1 ? `%u${part.charCodeAt(0).toString(16)}` : encodeURIComponent(part)))

@@ -32,7 +32,7 @@ export class FbxTextures {
     this.manager.addHandler(/./, loader as never);
   }
 
-  /** Extracts the images that are embedded in the FBX. @returns all files, the dropped ones included */
+  /** Extracts the images that are embedded in the FBX. @returns `files` and the extracted images */
   async unpack(files: FileMap): Promise<FileMap> {
     const all = new Map(files);
     for (const address of this.addresses.values()) {

@@ -40,7 +40,7 @@ export interface ObjFile {
   readonly coarse: number;
 }
 
-/** Lines from one step to the next: about a millisecond of work. */
+/** Lines that are read before the generator yields: about a millisecond of work. */
 const STEP = 4096;
 
 /** Greatest number of corners of a concave face cut by ears, which takes quadratic time. */
@@ -86,7 +86,7 @@ class ObjParser {
   private object = '';
   /** Key of the current object and group. */
   private key = '0 0';
-  /** Work of the current step, in lines; cutting a polygon counts as several. */
+  /** Work since the generator last yielded, in lines; cutting a polygon counts as several lines. */
   private work = 0;
   private hasColours = false;
   /** Highest vertex index referred to, and its line. */
