@@ -288,7 +288,7 @@ export class Body implements BodyControl {
     this.isSettled = this.wasSleeping && !this.movedInStep;
   }
 
-  /** Rebuilds the watch of the object for its new parent. */
+  /** Makes a new ObjectWatch, for the object's new parent. */
   objectMoved(): void {
     this.watch = new ObjectWatch(this.object.object3D);
     this.noteShown();

@@ -5,7 +5,7 @@ import { XRGrab } from './XRGrab';
 import { XRHand } from './XRHand';
 import { XRPlace } from './XRPlace';
 
-/** Modes of a WebXR session: in a scene of its own, or laid over the room. */
+/** Modes of a WebXR session: the scene alone is seen (VR), or it is drawn over the real room (AR). */
 export type XRMode = 'immersive-vr' | 'immersive-ar';
 
 /** Scene of an XR session, and the control of the page's own frames. */

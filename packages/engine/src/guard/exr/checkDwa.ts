@@ -56,7 +56,7 @@ export async function checkDwa(bytes: Uint8Array<ArrayBuffer>, size: number): Pr
     if (length > bytes.length - at) damaged();
     return bytes.subarray(at, (at += length));
   };
-  // three's EXRLoader reads as many bytes as there are coefficients
+  // of deflated AC coefficients, three's EXRLoader reads as many bytes as there are coefficients, not `ac` bytes
   if (ac > 0) {
     const packed = take(acKind === DEFLATE ? acCount : ac);
     if (acKind !== DEFLATE && endOfCodes(bytes, at - ac) !== at) damaged();
