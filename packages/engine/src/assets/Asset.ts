@@ -93,11 +93,11 @@ export type AssetChange =
 
 /** Component that uses a material of a library. */
 export interface MaterialUser {
-  /** Called when three's material was replaced and must be fetched again. */
+  /** Called when three's material was replaced: the component gets it from the library again. */
   materialReplaced(): void;
 }
 
-/** Asset type of one of three's objects. */
+/** Type of a loaded asset. */
 export function assetTypeOf(asset: Asset): AssetType {
   if ('isModel' in asset) return 'model';
   if ('isFieldAsset' in asset) return asset.type;

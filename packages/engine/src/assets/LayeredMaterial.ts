@@ -47,7 +47,7 @@ export class LayeredMaterial {
   private uniforms: SurfaceUniforms = {};
 
   /**
-   * @param key - key by which users share the material; null for a single user's
+   * @param key - key by which users share the material; null for the material of one user
    * @param asset - surface asset, already compiled
    */
   constructor(

@@ -1,6 +1,6 @@
 import { Color, type Material, type WebGLProgramParametersWithUniforms } from 'three';
 
-/** Chunk after ambient, environment and lightmap light are computed, before they are summed. */
+/** The chunk by which ambient, environment and lightmap light are computed, but not yet summed. */
 const AFTER = '#include <aomap_fragment>';
 
 const reflections = new WeakMap<Material, Color>();

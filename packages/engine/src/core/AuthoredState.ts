@@ -106,7 +106,7 @@ export class AuthoredState {
     return false;
   }
 
-  /** Restores the recorded state. Callable repeatedly; each call undoes the changes since the last. */
+  /** Restores the recorded state. Callable repeatedly; each call undoes the changes since the last call. */
   restore(): void {
     this.isRestoring = true;
     try {

@@ -156,7 +156,7 @@ export abstract class Component extends FieldOwner {
     this.simulated = null;
     if (!this.attachedObject) return;
     for (const [name, value] of simulated) {
-      // a field that is a view of another field's part may no longer exist
+      // a field may be gone, if it was a view of another field's part: this is reported as a change too
       if (!Object.hasOwn(this.fields, name) || !sameValue(value, this.get(name))) this.onFieldChanged(name);
     }
   }

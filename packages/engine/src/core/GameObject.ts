@@ -227,7 +227,7 @@ export class GameObject implements GameObjectContainer {
 
   /**
    * Removes a component, which may be added again or disposed of.
-   * @throws Error for the Transform or another object's
+   * @throws Error for the Transform, or for another object's component
    */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
@@ -240,7 +240,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
   }
 
-  /** @internal Replaces a component by another one in the list, without any calls. */
+  /** @internal Replaces a component by another one in the list, without calling a method of either. */
   putInPlace(component: Component, other: Component): void {
     this.componentList[this.componentList.indexOf(component)] = other;
   }

@@ -32,9 +32,7 @@ import { SceneSettings } from '../settings/SceneSettings';
 export class Scene implements GameObjectContainer {
   readonly three = new SceneRoot();
   readonly assets: AssetLibrary;
-  /**
-   * Types of components that can be added by name: by files, prefabs and menus. A replacement needs all types in use.
-   */
+  /** Types of components that files, prefabs and menus can add by name. Another registry must have all types in use. */
   registry: ComponentRegistry;
   readonly settings: SceneSettings;
   /** Microshaders that are saved with the scene. */

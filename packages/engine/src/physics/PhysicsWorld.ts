@@ -217,7 +217,7 @@ export class PhysicsWorld {
     }
     for (const component of parts.doubled) this.attempt(component, () => refuseDouble(component));
     changed.clear();
-    // queued calls on new bodies need their mass
+    // only now, since calls that were queued for new bodies need the bodies' mass
     for (const body of this.bodyList) controlledBy(body, body);
   }
 

@@ -108,7 +108,7 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const head = readHead(parts);
     const packed = head.lightmaps.map((lightmap) => parts.readBytes(lightmap.bytes));
     const lightmaps: LightmapData[] = [];
-    // sequentially: unpacking needs several times a lightmap's size
+    // one lightmap after the other, since unpacking one takes several times its size
     for (const [i, { width, height }] of head.lightmaps.entries()) {
       lightmaps.push(await unpackLightmap(packed[i], width, height));
     }

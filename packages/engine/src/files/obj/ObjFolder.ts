@@ -29,7 +29,7 @@ export class ObjFolder {
   private readonly ends = new Map<string, string>();
 
   constructor(files: FileMap) {
-    // a path such as 'a/..' names no file
+    // without paths that name no file, such as 'a/..'
     this.entries = [...files.keys()]
       .map((path) => ({ path, parts: partsOf(path) }))
       .filter(({ parts }) => parts.length > 0);

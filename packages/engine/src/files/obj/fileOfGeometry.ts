@@ -22,7 +22,7 @@ export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): 
   yield* inSteps(whole, (from, to) => {
     for (let corner = from; corner < to; corner++) {
       const vertex = index ? index.getX(corner) : corner;
-      // without colours, one vertex serves each position; with colours, vertices at one position may differ
+      // vertices at one position are merged, unless the geometry has colours, in which they may differ
       const place = places && !colour ? places[vertex] : vertex;
       corners[corner * 3] = place;
       corners[corner * 3 + 1] = uv ? vertex : -1;
