@@ -7,7 +7,7 @@ export type ClipWrap = 'once' | 'loop' | 'ping-pong';
 const MOST_PASSES = 1000;
 
 /**
- * Position within a clip (s), for an unwrapped position.
+ * Position within a clip (s), for an unwrapped position, which goes on beyond the clip's ends.
  * @param seconds - unwrapped position; negative when the clip plays backwards
  * @param duration - of the clip (s)
  * @param isBackwards - at a multiple of `duration`: true returns the clip's end, false its beginning

@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import { cancellable } from '../base/cancellable';
 import { computeCreaseNormals, computeCreaseNormalsInSlices } from '../geometry/computeCreaseNormals';
 
-/** Corners of triangles above which normals are computed in slices: about 50 ms of work. */
+/** Number of triangle corners above which normals are computed in slices: about 50 ms of work. */
 const MANY_CORNERS = 100_000;
 
 interface Computation {

@@ -306,7 +306,7 @@ export class GameObject implements GameObjectContainer {
     return receivers;
   }
 
-  /** Visits the object and all below it, parents first. */
+  /** Visits the object and all its descendants, parents first. */
   traverse(visit: (gameObject: GameObject) => void): void {
     visit(this);
     for (const child of this.childList) child.traverse(visit);

@@ -28,7 +28,7 @@ export class PrefabTable {
     if (this.byId.delete(id)) this.changed(id);
   }
 
-  /** Whether a prefab is, or contains at any depth, an instance of another. */
+  /** Whether the prefab `id` is `inner`, or contains an instance of `inner` at any depth. */
   contains(id: string, inner: string): boolean {
     return this.anyContains([id], inner);
   }

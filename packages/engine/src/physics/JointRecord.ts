@@ -136,7 +136,7 @@ export function makeJoint(
   return { component, body, partner, rapier: joint, cone };
 }
 
-/** The shortest lever of a cone limit (m). */
+/** Least distance (m) from a cone limit's anchor to the points that its rope joins. */
 const LEVER = 0.05;
 
 /**

@@ -18,7 +18,7 @@ import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './Ph
 export const STEP = 1 / 60;
 /** Greatest number of steps per frame, as in an App's longest frame; further time is dropped. */
 const MOST_STEPS = 6;
-/** Share of a step that a frame may be short of and still run that step, since frame times are not exact. */
+/** A step runs even if the frame's time falls short by this share of a step, since frame times are not exact. */
 const TOLERANCE = 1e-6;
 
 /** Part of PhysicsSystem that PhysicsWorld uses. */
