@@ -84,7 +84,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     return names;
   }
 
-  /** Registers a user, called when three's material is replaced. */
+  /** Registers a component that is called when three's material of this name is replaced. */
   addMaterialUser(name: string, user: MaterialUser): void {
     const users = this.materialUsers.get(name);
     if (users) users.add(user);
@@ -112,7 +112,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     this.layered.sourceChanged(material);
   }
 
-  /** @internal Tells users that a material's displacement changed, so that they update their bounds. */
+  /** @internal Tells the components that use a material that its displacement changed, for their bounds. */
   materialShapeChanged(name: string): void {
     for (const user of [...(this.materialUsers.get(name) ?? [])]) user.materialReplaced();
   }

@@ -13,7 +13,7 @@ interface HdrHeader {
   readonly length: number;
   readonly count: number;
   readonly isTurned: boolean;
-  /** Whether scan lines go from top to bottom, and columns from left to right, in the file. */
+  /** Whether the file's rows go from top to bottom; `goesRight`: whether its columns go from left to right. */
   readonly goesDown: boolean;
   readonly goesRight: boolean;
   /** Offset of the first byte after the header. */

@@ -88,7 +88,7 @@ export class AudioSource extends component({
     return this.state === 'paused' ? this.pausedAt : 0;
   }
 
-  /** Plays from the beginning, or from the pause. A playing sound restarts. */
+  /** Plays from the beginning, or from where it was paused. A playing sound restarts. */
   play(): void {
     if (!this.isActive) return;
     const from = this.state === 'paused' ? this.pausedAt : 0;

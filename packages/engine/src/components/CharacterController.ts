@@ -67,7 +67,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   };
 
   private readonly held = new Set<string>();
-  /** Movement requested by a script; null for none. */
+  /** Direction that a script has passed to `walk`; null for none. */
   private requestedMove: Vector3 | null = null;
   private readonly stick = new TouchStick();
   private readonly finger = { pointer: -1, since: 0, way: 0 };
@@ -182,7 +182,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     this.readPad(deltaSeconds);
     wish.clampLength(0, 1);
     if (wish.lengthSq() === 0) return;
-    // turns the wish by the heading alone, so that a pitch does not slow walking along the ground
+    // turns the wished direction by the heading alone, so that a pitch does not slow walking along the ground
     this.gameObject.object3D.getWorldQuaternion(worldTurn);
     front.set(0, 0, -1).applyQuaternion(worldTurn);
     wish.applyAxisAngle(UP, Math.atan2(-front.x, -front.z));

@@ -64,7 +64,7 @@ export abstract class Component extends FieldOwner {
   /** Whether the component wants events of a kind at present ('pointer': events on objects); true when absent. */
   listensTo?(events: CostlyEvents): boolean;
 
-  /** Unique in its scene and kept in files; '' until the component has been on a GameObject. */
+  /** Id of the component, unique in its scene and kept in files; '' until the component has been on a GameObject. */
   get id(): string {
     return this.ownId;
   }

@@ -105,7 +105,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
   }
 
-  /** Whether editors do not pick the object and its descendants in the picture. No other effect. */
+  /** Whether editors do not pick the object and its descendants in the picture; has no other effect. */
   get locked(): boolean {
     return this.isLocked;
   }

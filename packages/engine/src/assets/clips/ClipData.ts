@@ -34,7 +34,7 @@ export interface ClipEvent {
   readonly time: number;
   /** Method called on components of the animated object and of its descendants: see `GameObject.callMethod`. */
   readonly method: string;
-  /** Argument of the method; called without one when absent. */
+  /** Argument of the method; when absent, the method is called without argument. */
   readonly value?: FieldValue;
 }
 
