@@ -127,7 +127,7 @@ async function loadAssets(
   problems.throwIfAny();
 }
 
-/** Asks whether the foreign addresses of a file may be fetched. @returns the allowed origins; null for any */
+/** Asks whether the foreign addresses of a file may be fetched. @returns the allowed origins; null for every origin */
 async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions): Promise<ReadonlySet<string> | null> {
   if (!mayFetch) return null;
   const addresses = foreignAddresses(file);

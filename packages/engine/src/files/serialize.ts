@@ -30,7 +30,7 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
 const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
   Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
-/** Copies a view, with members in a fixed order. */
+/** Copies a camera bookmark, with members in a fixed order. */
 const fileView = (place: number, { name, position, target, fov, orthographic }: SceneView): FileView => ({
   ...{ place, name, fov, orthographic },
   position: [position[0], position[1], position[2]],

@@ -14,7 +14,7 @@ import {
 import type { CharacterController } from '../../components/CharacterController';
 import type { XRHand } from './XRHand';
 
-/** Stick deflections (0 to 1): above the first a stick turns or aims; below the second it may turn anew, or teleports. */
+/** Deflections (0 to 1) above which a stick turns or aims, and below which it then teleports, or may turn again. */
 const PUSHED = 0.7;
 const RELEASED = 0.4;
 /** Farthest teleport (m), and smallest y of the unit normal of a surface that can be teleported to. */

@@ -50,7 +50,7 @@ export class FbxTextures {
     return all;
   }
 
-  /** Describes a material's texture as a map of an MTL file: equal image, equal placement. */
+  /** Describes a material's texture as a map of an MTL file with the same image and placement. */
   mapOf(texture: Texture | null | undefined, bump = 1): MtlMap | undefined {
     const address = texture ? this.addresses.get(texture) : undefined;
     const path = address === undefined ? undefined : this.paths.get(address);

@@ -43,7 +43,7 @@ export interface ObjFile {
 /** Lines that are read before the generator yields: about a millisecond of work. */
 const STEP = 4096;
 
-/** Greatest number of corners of a concave face cut by ears, which takes quadratic time. */
+/** Greatest number of corners of a concave face cut by ear clipping, which takes quadratic time. */
 const MOST_CORNERS = 4096;
 
 const triangle = [0, 1, 2];
@@ -295,7 +295,7 @@ class ObjParser {
   }
 }
 
-/** Removes indices of missing elements from the corners. */
+/** Replaces indices of elements that the file does not have by -1, in the corners. */
 function dropMissing(corners: NumberList<Int32Array>, offset: number, count: number): void {
   for (let i = offset; i < corners.length; i += 3) if (corners.at(i) >= count) corners.set(i, -1);
 }

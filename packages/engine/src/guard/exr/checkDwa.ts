@@ -1,7 +1,7 @@
 import { inflateBlock } from './inflateBlock';
 import { runLengthSize } from './runLengthSize';
 
-/** Count of 8-byte numbers at the beginning of a block. */
+/** Count of the 8-byte numbers with which a block begins. */
 const NUMBERS = 11;
 const DEFLATE = 1;
 

@@ -3,7 +3,7 @@ import { checkGltfNodes } from './checkGltfNodes';
 import { GltfLists } from './GltfLists';
 import type { GltfJson } from './readGltfJson';
 
-/** Limit on data stored compressed, shared or not at all (zeros): the greater of `FREE` bytes and `RATIO` × the file. */
+/** Limit on data stored compressed, shared or not at all (zeros): the larger of `FREE` bytes and `RATIO` × the file. */
 const FREE = 64 * 2 ** 20;
 const RATIO = 100;
 
