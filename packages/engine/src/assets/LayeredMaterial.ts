@@ -39,7 +39,7 @@ function targetsOf(table: FieldTable): ReadonlyMap<string, Target> {
 
 /**
  * Copy of a material with one more surface (GLSL) on top, for some of the objects that use the material. It inherits
- * everything else live from that source material, which is never changed.
+ * all else, live, from that source material, which is never changed.
  */
 export class LayeredMaterial {
   readonly material: Material;

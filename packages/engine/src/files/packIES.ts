@@ -21,7 +21,7 @@ export async function packIES(
   const name = tiltFileOf(text);
   const tilt = name === null ? null : await find(name);
   if (tilt === null) return bytes;
-  // DOS text files end with the byte 0x1A
+  // cuts off the end of the text, which is the byte 0x1A in DOS files
   const numbers = textOf(new Uint8Array(tilt)).replace(/[\0-\x20]+$/, '');
   const packed = text.replace(/^[ \t]*TILT[ \t]*=.*$/im, () => `TILT=INCLUDE\r\n${numbers}`);
   return Uint8Array.from(packed, (character) => character.charCodeAt(0)).buffer;

@@ -36,7 +36,7 @@ export async function xrModes(): Promise<XRMode[]> {
 
 /**
  * Shows a scene in a headset until the session ends. The floor is the scene's XRRig, or else lies below the camera; the
- * hands walk, turn, teleport and hold Grabbables. Call it from a click.
+ * hands walk, turn, teleport and hold Grabbables. Call it in the handler of a click.
  * @returns the session, once it presents
  * @throws Error (as a rejection) where the user or the device refuses
  */
