@@ -83,7 +83,7 @@ export class AppliedBake {
     this.applied = false;
     for (const { baked, geometry, material, before } of this.dressed) {
       const mesh: Mesh = baked.mesh;
-      // keeps a geometry that other code has assigned since
+      // a geometry or material that other code has assigned since `apply` stays
       if (mesh.geometry === geometry) mesh.geometry = before!.geometry;
       if (mesh.material === material) mesh.material = before!.material;
     }

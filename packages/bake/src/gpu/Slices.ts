@@ -58,7 +58,7 @@ export class Slices {
     const most = Math.min(Math.max(1, Math.floor(milliseconds / perRow)), height * batches - from);
     let drawn = 0;
     keepState(this.renderer, () => {
-      // includes the time of submitting, which dominates with a software renderer
+      // also ends by the time spent on submitting draws, which with a software renderer is most of the time
       do {
         const first = (from + drawn) % height;
         const count = Math.min(most - drawn, height - first);

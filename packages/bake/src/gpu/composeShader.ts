@@ -1,7 +1,7 @@
 /**
- * Replaces `#include "name"` lines by chunks; repeated includes are dropped. @throws Error for an unknown name
+ * Replaces `#include "name"` lines by chunks; repeated includes are dropped.
  *
- * @throws Error for a name without a text
+ * @throws Error for a name that is not in `chunks`
  */
 export function composeShader(source: string, chunks: Readonly<Record<string, string>>): string {
   const known = new Set<string>();

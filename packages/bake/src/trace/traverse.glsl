@@ -63,7 +63,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
     vec4 rightGreatest = farol_table(farol_nodes, 4 * node + 3);
     float left = farol_boxDistance(leftLeast, leftGreatest, origin, inverse, nearest);
     float right = farol_boxDistance(rightLeast, rightGreatest, origin, inverse, nearest);
-    ivec2 leaf = ivec2(-1, 0); // first triangle and count, of one or both children in turn
+    ivec2 leaf = ivec2(-1, 0); // first triangle and count: of the left child, then of the right one
     ivec2 other = ivec2(-1, 0);
     if (left < 1e30 && leftGreatest.w > 0.0) leaf = ivec2(leftLeast.w, leftGreatest.w);
     if (right < 1e30 && rightGreatest.w > 0.0) other = ivec2(rightLeast.w, rightGreatest.w);
