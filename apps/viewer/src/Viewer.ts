@@ -107,29 +107,29 @@ export class Viewer {
     return this.model?.name ?? null;
   }
 
-  /** @throws Error naming the known ones when there is no such technique */
+  /** @throws Error that names the known techniques when `name` is none of them */
   setTechnique(name: string): void {
     this.farol.technique = name as TechniqueName;
     this.changed({ technique: name });
   }
 
-  /** Draws with a technique; if the device cannot run it, with `otherwise`, and displays a message. */
+  /** Draws with a technique; if the device cannot run it, draws with `otherwise` and displays a message. */
   chooseTechnique(name: string, otherwise = this.farol.technique): void {
     this.choose(name, otherwise, (one) => this.setTechnique(one));
   }
 
-  /** Shows a view; if the device cannot draw it, `otherwise`, and displays a message. */
+  /** Shows a view; if the device cannot draw it, shows the view `otherwise` and displays a message. */
   chooseView(name: string, otherwise = this.farol.view): void {
     this.choose(name, otherwise, (one) => this.setView(one));
   }
 
-  /** @throws Error naming the known ones when there is no such view */
+  /** @throws Error that names the known views when `name` is none of them */
   setView(name: string): void {
     this.farol.view = name as View;
     this.changed({ view: name });
   }
 
-  /** @throws Error naming the known ones when there is no such quality */
+  /** @throws Error that names the known qualities when `name` is none of them */
   setQuality(name: string): void {
     this.farol.quality = name as Required<FarolOptions>['quality'];
     this.changed({ quality: name });
@@ -142,7 +142,7 @@ export class Viewer {
 
   /**
    * Chooses the anti-aliasing: a key of `known.antialiasing`.
-   * @throws Error naming the known ones when there is no such anti-aliasing
+   * @throws Error that names the known keys when `name` is none of them
    */
   setAntialiasing(name: string): void {
     if (!known.antialiasing.includes(name)) {

@@ -5,7 +5,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import type { RenderHook } from '../viewport/RenderHook';
 
-/** Panel that selects renderer and view, and shows times and counts of the last frame, for Farol for each pass. */
+/** Panel that selects renderer and view, and shows counts of a frame; with Farol also counts and times of passes. */
 export class FramePanel {
   readonly element: HTMLElement;
   private readonly load = element('button', { type: 'button' }, t('Draw with Farol'));
