@@ -32,8 +32,8 @@ import { ViewerEffects } from './ViewerEffects';
 const LONG = 1000;
 
 /**
- * The thesis's App: a scene over the whole page, drawn by any technique. Its state is in the page's address; the
- * address, the menu and these methods change it. Tests and benchmarks call the methods on `window.viewer`.
+ * The viewer: a scene over the whole page, drawn by any technique. Its state is in the page's address; the address,
+ * the menu and these methods change it. Tests and benchmarks call the methods on `window.viewer`.
  *
  * With a fixed time (`?time=`) nothing moves and no loop runs: each call that changes the picture draws one frame.
  */
@@ -135,7 +135,7 @@ export class Viewer {
     this.changed({ quality: name });
   }
 
-  /** @param name - 'auto' means on for touch screens */
+  /** Switches the frame budget. @param name - 'on', 'off' or 'auto', which is on for touch screens */
   setBudget(name: string): void {
     this.changed({ budget: name });
   }

@@ -29,7 +29,7 @@ export interface TraceOptions {
   sliceMilliseconds?: number;
   /**
    * Whether a mesh never moves: it then casts shadows, reflects light and gets a lightmap. Default: every visible mesh.
-   * @param instance - index of an instance, asked for a static InstancedMesh
+   * @param instance - index of an instance, when asked about each instance of a static InstancedMesh; else absent
    */
   isStatic?(object: Object3D, instance?: number): boolean;
   /**

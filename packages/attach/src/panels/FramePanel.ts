@@ -100,7 +100,7 @@ export class FramePanel {
     await this.tell(() => this.drawing.choose(drawer));
   }
 
-  /** Changes the renderer, then shows its state, and the error if it failed. */
+  /** Changes the renderer; if that fails, shows the error and the renderer that stays. */
   private async tell(change: () => void | Promise<void>): Promise<void> {
     this.problem.textContent = '';
     try {

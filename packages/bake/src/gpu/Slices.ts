@@ -15,7 +15,7 @@ export interface SlicedWork {
 /** Maximum number of slices queued on the GPU: one runs while the completion of another is handled. */
 const IN_FLIGHT = 2;
 
-/** Draws work in slices of a target duration (ms), between which the page may draw frames. */
+/** Draws work in slices of about `milliseconds` each, between which the page may draw frames. */
 export class Slices {
   constructor(
     private readonly renderer: WebGLRenderer,

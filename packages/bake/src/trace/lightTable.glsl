@@ -51,10 +51,10 @@ FarolArrival farol_areaArrival(const in int light, const in int kind, const in v
 
 FarolArrival farol_arrival(const in int light, const in vec3 position, const in vec3 normal, const in vec2 u) {
   FarolArrival arrival = FarolArrival(vec3(0.0), vec3(0.0), vec3(0.0), false);
-  vec4 place = farol_table(farol_lights, 9 * light); // position (m) and kind of the light
-  vec4 colour = farol_table(farol_lights, 9 * light + 1); // linear colour × intensity, and range (m)
-  vec4 axis = farol_table(farol_lights, 9 * light + 2); // direction, and decay
-  vec4 cone = farol_table(farol_lights, 9 * light + 3); // cosines of cutoff and penumbra, radius (m), cosine's power
+  vec4 place = farol_table(farol_lights, 9 * light); // xyz: position (m); w: kind of the light
+  vec4 colour = farol_table(farol_lights, 9 * light + 1); // rgb: linear colour × intensity; a: range (m)
+  vec4 axis = farol_table(farol_lights, 9 * light + 2); // xyz: direction; w: decay
+  vec4 cone = farol_table(farol_lights, 9 * light + 3); // cosines of cutoff, penumbra; radius (m); exponent or -1
   int kind = int(place.w);
   if (kind >= 3) return farol_areaArrival(light, kind, place.xyz, colour.rgb, axis.xyz, position, normal, u);
   if (kind == 0) {

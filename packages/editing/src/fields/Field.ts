@@ -71,7 +71,7 @@ export interface NumberField extends FieldBase {
   /** Step when a number is dragged. */
   readonly step?: number;
   readonly integer?: boolean;
-  /** Factor from the stored to the displayed number, in editors with a unit of their own. */
+  /** Factor from the stored to the displayed number, for editors that display another unit than `unit`. */
   readonly scale?: number;
   /** Special input of editors: a light's intensity with its unit, or a colour temperature. */
   readonly input?: 'intensity' | 'temperature';

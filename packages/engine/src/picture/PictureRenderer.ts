@@ -22,7 +22,7 @@ const isTouchScreen = (): boolean => globalThis.matchMedia?.('(pointer: coarse)'
 
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
 
-/** Renderer of a three scene: a FarolRenderer, or several side by side. */
+/** Draws a three scene: a FarolRenderer, or an object that draws with several of them side by side. */
 export interface ScenePainter {
   render(scene: ThreeScene, camera: Camera): void;
 }

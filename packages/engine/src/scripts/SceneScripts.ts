@@ -227,7 +227,7 @@ export class SceneScripts {
       for (const entry of entries) {
         if (entry.pending === null && !entry.results.has(entry.asset.source)) void this.compile(entry);
       }
-      // a script whose text has just been compiled may be imported by others
+      // scripts may import each other: none runs until all texts are compiled
       if (entries.some(({ isWaiting }) => isWaiting)) return this.tell();
     }
     this.apply();

@@ -5,7 +5,7 @@ import { fitGeometry } from '../fitGeometry';
 import { MeshBuilder } from '../MeshBuilder';
 import { round, type Section, Sweep } from './Sweep';
 
-/** Cross sections of the body, from the nape to the tip of the tail (m, before the mesh is fitted). */
+/** Centre line of the body, from the nape to the tip of the tail (m, before the mesh is scaled to its final size). */
 const body = new Sweep([
   [-0.39, 0.54, 0],
   [-0.32, 0.575, 0.01],
