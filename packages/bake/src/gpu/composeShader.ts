@@ -1,8 +1,4 @@
-/**
- * Replaces `#include "name"` lines by chunks; repeated includes are dropped.
- *
- * @throws Error for a name that is not in `chunks`
- */
+/** Replaces lines `#include "name"` by chunks, each at its first include only. @throws Error for an unknown name */
 export function composeShader(source: string, chunks: Readonly<Record<string, string>>): string {
   const known = new Set<string>();
   const compose = (text: string): string =>
