@@ -1,4 +1,7 @@
-/** Replaces lines `#include "name"` by chunks, each at its first include only. @throws Error for an unknown name */
+/**
+ * Replaces lines `#include "name"` by chunks; further includes of the same chunk are dropped.
+ * @throws Error for a name that is not in `chunks`
+ */
 export function composeShader(source: string, chunks: Readonly<Record<string, string>>): string {
   const known = new Set<string>();
   const compose = (text: string): string =>
