@@ -19,8 +19,8 @@ export interface ScriptFailure extends ScriptPlace {
 }
 
 /**
- * Why scripts are off: they came from elsewhere, the page hung when they last ran, the address says `?scripts=off`, or
- * the editor is in a frame of another page, which could trick the user into clicking.
+ * Why scripts are off: they came from outside (a file, a link, a paste), the page hung when they last ran, the address
+ * says `?scripts=off`, or the editor is in a frame of another page, which could trick the user into clicking.
  */
 export type OffReason = 'foreign' | 'hung' | 'address' | 'framed';
 
@@ -78,7 +78,7 @@ export class DocumentScripts {
     return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
   }
 
-  /** Switches scripts off, in this scene and the next ones, until the user switches them on; `framed` forbids that. */
+  /** Switches scripts off, in this scene and later ones, until the user allows them; `framed` cannot be allowed. */
   hold(reason: OffReason): void {
     this.isOn = false;
     this.held = this.question = reason;
@@ -109,7 +109,7 @@ export class DocumentScripts {
     return this.current?.errors ?? NONE;
   }
 
-  /** The last error that each script threw, with its present text, since the scene began to play, by script name. */
+  /** By script name, the last error that the script's present text threw since the scene began to play. */
   get failures(): ReadonlyMap<string, ScriptFailure> {
     return this.failed;
   }

@@ -61,7 +61,7 @@ export class PlayEdits {
     return this.all.filter((command) => !(command instanceof SetFields)).map(({ label }) => label);
   }
 
-  /** Whether all edits can be kept as they were made: nothing else was edited since. */
+  /** Whether all edits can be kept as they were made: nothing was edited since the scene stopped. */
   get canKeepAll(): boolean {
     return this.all.length > 0 && this.document.commands.last === this.last;
   }
@@ -83,7 +83,7 @@ export class PlayEdits {
   end(reset: () => void): void {
     const { commands } = this.document;
     let isWhole = true;
-    // a step on an object that a component removed cannot be undone; the scene restores what is left of the object
+    // an edit of an object that a component removed cannot be undone; the scene restores what is left of the object
     const taken = commands.release(() => (isWhole = false));
     reset();
     this.takeAssets();
@@ -155,7 +155,7 @@ export class PlayEdits {
 
 const withParts = (taken: TakenAsset): TakenAsset[] => [taken, ...taken.parts.flatMap(withParts)];
 
-/** Whether a step makes, deletes or edits only scripts or texts of surfaces. */
+/** Whether a command makes, deletes or edits only scripts or texts of surfaces. */
 function isOfScripts(command: Command): boolean {
   if (command instanceof Sequence) return command.parts.length > 0 && command.parts.every(isOfScripts);
   return command instanceof SetFields

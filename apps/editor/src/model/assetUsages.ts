@@ -75,7 +75,7 @@ function usagesOfScript(scene: Scene, script: string, source: string): AssetUsag
   return usages;
 }
 
-/** Every place that refers to an asset or a part of it, or has a component of it. */
+/** Every place that refers to an asset or a part of it, or, for a script, has a component that it defines. */
 export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
   const script = scene.assets.fieldAsset(asset);
   if (script?.type === 'script') return usagesOfScript(scene, asset, script.get('source') as string);

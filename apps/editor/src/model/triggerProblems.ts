@@ -12,7 +12,7 @@ export interface TriggerProblem {
 
 type Mend = TriggerProblem['mend'];
 
-/** Colliders whose contacts an object is notified of: its own, and those of its rigid body, maybe descendants. */
+/** Colliders whose contacts an object is notified of: its own, and on a rigid body also those of its descendants. */
 function collidersOf(object: GameObject): Collider[] {
   const isBody = object.getComponent(RigidBody) !== null;
   const found = [...object.getComponents(Collider)];

@@ -71,8 +71,8 @@ function middleOf(places: readonly ArrangedPlace[]): Vector3 {
 }
 
 /**
- * Copies objects to places, the first place of each being its own, and varies the copies' lights, as one step. Copies
- * follow their original in the tree, or all are below a new object at their centroid; new objects are selected.
+ * Copies objects to places, the first place of each being its own, and varies the copies' lights, as one undo step.
+ * Copies follow their original in the tree, or all are below a new object at their centroid; new objects are selected.
  * @param objects - at least one; those below another are ignored
  * @param places - at least one for each original; at most `MOST_COPIES`
  */

@@ -33,7 +33,7 @@ export interface Part extends Place {
 /** Root object of an item, which gets the item's name. */
 export type ItemRoot = Omit<Part, 'name'>;
 
-/** Rotation (rad) that turns the front, -Z, downwards. */
+/** Rotation (rad) that turns an object's front, its -Z axis, downwards. */
 export const DOWN: Vector3Tuple = [-Math.PI / 2, 0, 0];
 
 /** A mesh with a material of the library; it casts shadows unless `values` say otherwise. */

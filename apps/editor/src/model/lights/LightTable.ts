@@ -17,7 +17,7 @@ import { colourOf, kindLabel, kindOf, type LightSource, shownNumber } from './li
 /** A column of the table, by which its rows can be sorted. */
 export type LightColumn = 'on' | 'solo' | 'name' | 'kind' | 'colour' | 'intensity' | 'range' | 'shadow' | 'cost';
 
-/** Condition that lights must meet in every part to be shown in the table. */
+/** Conditions, all of which a light must meet to be shown in the table. */
 export interface LightFilter {
   /** Words that must each be in the name, the kind or the group's name. */
   readonly text: string;
@@ -252,7 +252,7 @@ export class LightTable {
     if (this.hasSolo) this.showAlone(new Set());
   }
 
-  /** Components that an edit of a row changes: all selected ones of its kind when the row is selected, else its own. */
+  /** Components that an edit of a row changes: those of all selected rows if it is selected, else its own. */
   editedBy<T extends LightSource | LightGroup>(edited: T): readonly T[] {
     const { selection } = this.document;
     if (!selection.has(edited.gameObject.id)) return [edited];
