@@ -43,7 +43,7 @@ export async function landInPicture(
   const { scene } = editor.document;
   await loadShapes(editor, objects);
   if (scene !== editor.document.scene) return;
-  // first, since it activates the view under the pointer
+  // computed before `landingView`: `pointInPicture` activates the view under the pointer, which `landingView` reads
   const point = pointInPicture(editor, at);
   land(landingView(editor), objects, point);
 }

@@ -95,7 +95,7 @@ export type DialogRequest =
 export class Dialogs {
   readonly changed = new Signal();
 
-  /** Text typed while the code of the command palette, once opened, was being fetched. */
+  /** Text typed after the command palette was opened, while its code was being fetched. */
   typed = '';
 
   /** Element that had the focus before a dialog opened; it is focused again after the last one closes. Null in Node. */

@@ -3,7 +3,7 @@ import { canEncodeVideo, Quality, type VideoCodec } from 'mediabunny';
 
 /** A kind of file that films are saved as. */
 export interface FilmFormat {
-  /** Label: names of container and codec, the same in all languages except for frames. */
+  /** Label: names of container and codec, the same in all languages. The dialog translates that of PNG frames. */
   readonly label: string;
   readonly extension: 'mp4' | 'webm' | 'zip';
   readonly type: string;

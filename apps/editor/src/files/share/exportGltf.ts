@@ -17,7 +17,7 @@ interface Writer extends ProfileWriter {
   processNodeAsync(object: Object3D): Promise<number>;
 }
 
-/** The used part of a material in glTF. */
+/** The part of a material's glTF JSON that the export uses. */
 interface MaterialDef {
   readonly extensions?: { readonly KHR_materials_anisotropy?: { readonly anisotropyTexture?: { texCoord?: number } } };
 }

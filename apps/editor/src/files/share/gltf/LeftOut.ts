@@ -22,7 +22,7 @@ export class LeftOut {
     else this.names.set(kind, new Set([name]));
   }
 
-  /** Adds a surface made of microshaders. @param object - name of the object */
+  /** Counts a surface (GLSL on a material) that is left out. @param object - name of the object */
   addSurface(surface: string, object: string): void {
     this.add(t('The surface {surface} is left out', { surface }), object, object);
   }

@@ -19,7 +19,7 @@ function left(light: Light, distance: number): number {
   return distance ** -light.decay;
 }
 
-/** Intensity factor with which a light of inverse-square falloff is equally bright half way to its end. */
+/** Intensity factor with which a light of inverse-square falloff is as bright as `light` half way to its range. */
 function asBright(light: Light): number {
   const hasPlace = light.type === 'point' || light.type === 'spot';
   if (!hasPlace || (light.attenuation === 'physical' && light.decay === 2)) return 1;
