@@ -24,7 +24,7 @@ export const newMaterial: Action = {
   run: async (editor) => (await runs()).newMaterial(editor, renderersOf(editor)),
 };
 
-/** Makes a library material of the first selected object's own, and assigns it to all selected objects. */
+/** Makes the first own material of the selected objects a library material, and assigns it to all of them. */
 export const makeMaterial: Action = {
   id: 'material.make',
   label: 'Make material asset',

@@ -139,8 +139,8 @@ export interface EditorApi {
   /** Runs a function. Errors become messages; cancelling a file picker is ignored. */
   attempt(run: () => unknown): void;
   /**
-   * Adds everything that a plugin contains, or nothing. Components of the scene that were kept as data become real
-   * again.
+   * Adds everything that a plugin contains, or nothing. Components of the scene that were kept as data, since their
+   * type was missing, work again.
    * @throws Error naming what exists already
    */
   addPlugin(plugin: EditorPlugin): void;

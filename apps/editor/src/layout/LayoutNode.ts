@@ -9,7 +9,7 @@ export interface PanelGroup {
   readonly active: string;
 }
 
-/** Places side by side ('row') or stacked ('column'). */
+/** Groups or splits that are arranged side by side ('row') or one above the other ('column'). */
 export interface LayoutSplit {
   readonly kind: 'split';
   readonly direction: 'row' | 'column';

@@ -11,7 +11,7 @@ import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
 import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts';
 
-/** Removes microshaders from a registry, dependents before their dependencies. @returns those that others include */
+/** Removes microshaders from a registry, dependents first. @returns those that stay, since others include them */
 function takeOut(registry: MicroShaderRegistry, names: readonly string[]): string[] {
   let remaining = names.filter((name) => registry.has(name));
   for (let countBefore = Infinity; remaining.length < countBefore;) {
