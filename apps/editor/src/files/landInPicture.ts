@@ -4,10 +4,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { shapesToLoad } from '../viewport/placing/boundsOfNew';
 import { land, type LandingView } from '../viewport/placing/land';
 
-/**
- * Normalised device coordinates in the viewport of a page position. @param at - CSS pixels; the centre of the viewport
- * when absent
- */
+/** A page position in normalised device coordinates of the viewport. */
 export function pointInPicture({ viewport }: EditorApi, at?: { readonly x: number; readonly y: number }): Vector2 {
   if (!at) return new Vector2();
   // activates the one of four views that is under the point

@@ -163,7 +163,7 @@ function isOfScripts(command: Command): boolean {
     : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
 }
 
-/** A copy of a value edit with nothing to undo yet: scripts may since have changed the values that undo restores. */
+/** A copy of a SetFields as if never done: scripts may have changed the values that its undo would restore. */
 const asNew = (command: Command): Command =>
   command instanceof SetFields ? new SetFields(command.label, command.edits) : command;
 
@@ -186,7 +186,7 @@ function changesOf(commands: readonly Command[]): PlayChange[] {
       const owner = currentOf(edited);
       const at = changes.findIndex((each) => sameField(each, { owner, name }));
       if (at >= 0) changes.splice(at, 1);
-      // the field is a uniform of a surface that was assigned or typed while the scene played
+      // skipped: the field was a uniform of a surface that was assigned or typed while the scene played, and is gone
       if (!Object.hasOwn(owner.fields, name) || checkFieldValue(owner.fields[name], value) !== null) continue;
       const change = { owner: owner as PlayChange['owner'], name, from: owner.getAuthored(name), to: value };
       if (!sameValue(change.from, value)) changes.push(change);

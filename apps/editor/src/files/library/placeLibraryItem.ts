@@ -21,7 +21,7 @@ import type { DropPlace } from '../placeAsset';
 import { giveSky } from './giveSky';
 import { type Brought, placeInstance } from './placeInstance';
 
-/** Objects of a prefab that refer to assets and types of components by their names in a scene. */
+/** A prefab's objects, with assets and component types renamed to their names in a scene. */
 function namedObjects(scene: Scene, prefab: Prefab, brought: BroughtAssets): Prefab['objects'] {
   return renamedObjects(scene, prefab.objects, brought, {}).map((object) => ({
     ...object,

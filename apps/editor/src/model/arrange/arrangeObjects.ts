@@ -38,8 +38,8 @@ const ownOf = ({ transform }: GameObject): Own => ({
 /**
  * Pose of a placed object in the space of its parent.
  * @param source - world matrix of the original
- * @param own - authored rotation and scale of the original, when the parent has the same orientation and size; copied
- *   exactly when the place does not change them
+ * @param own - authored rotation and scale of the original, if its parent has the orientation and size of the new
+ *   parent, else null; copied exactly where the place does not change them
  */
 function poseAt(place: ArrangedPlace, source: Matrix4, parentInverse: Matrix4 | null, own: Own | null): Pose {
   source.decompose(position, rotation, scale);

@@ -95,7 +95,7 @@ export class LightTable {
   private stale: Part = 'lights';
   /** Signals to be emitted at the end of the task. */
   private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
-  /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
+  /** Shares of the lighting time by id of a light and by id of a group; key of what they were estimated for. */
   private costs: ReadonlyMap<string, number> = new Map();
   private readonly groupCosts = new Map<string, number>();
   private costKey = '';
