@@ -26,7 +26,7 @@ function focusOf(elements: readonly Element[]): Focus {
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
   if (!(target instanceof HTMLInputElement)) return 'page';
   if (['checkbox', 'radio', 'button', 'range'].includes(target.type)) return 'page';
-  // number fields take letters too: units, π, functions
+  // number fields accept letters too: units, π, functions
   return 'text';
 }
 

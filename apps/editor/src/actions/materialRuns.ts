@@ -13,7 +13,7 @@ export function newMaterial(editor: EditorApi, renderers: readonly ObjectRendere
   editor.layout.open('inspector');
 }
 
-/** Makes the first own material of the objects a library material, and assigns it to all of the objects. */
+/** Makes a library material from the first object that has a material of its own, and assigns it to all objects. */
 export function makeMaterial(editor: EditorApi, renderers: readonly ObjectRenderer[]): void {
   const { document, commands } = editor;
   const first = renderers.find(({ material, shader }) => material === null && shader === null)!;

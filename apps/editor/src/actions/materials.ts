@@ -24,7 +24,7 @@ export const newMaterial: Action = {
   run: async (editor) => (await runs()).newMaterial(editor, renderersOf(editor)),
 };
 
-/** Makes the first own material of the selected objects a library material, and assigns it to all of them. */
+/** Makes a library material from the first selected object with a material of its own; all selected objects get it. */
 export const makeMaterial: Action = {
   id: 'material.make',
   label: 'Make material asset',

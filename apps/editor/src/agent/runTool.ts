@@ -32,7 +32,7 @@ const runners: { readonly [Name in Exclude<ToolName, EditName>]: Runner<Name> } 
 /**
  * Runs a tool of an agent.
  * @param input - the tool's input as the agent sent it, unchecked
- * @throws Error (as a rejection) that names the thing and the mend; an edit has then changed nothing
+ * @throws Error (as a rejection) that names the thing and the remedy; an edit has then changed nothing
  */
 export async function runTool(
   editor: EditorApi,

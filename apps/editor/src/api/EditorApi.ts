@@ -156,7 +156,7 @@ export interface EditorApi {
   openScript(name: string, line?: number): void;
   /**
    * Replaces the scene, with an empty history.
-   * @param runsScripts - whether its scripts run, the default; those of a scene from elsewhere are off until the user
+   * @param runsScripts - whether its scripts run; default true. Those of an untrusted scene are off until the user
    *   allows them
    */
   show(scene: Scene, file: OpenFile, runsScripts?: boolean): void;

@@ -4,7 +4,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { shapesToLoad } from '../viewport/placing/boundsOfNew';
 import { land, type LandingView } from '../viewport/placing/land';
 
-/** A page position in normalised device coordinates of the viewport. */
+/** A page position (CSS pixels; the viewport's centre when absent) in the viewport's normalised device coordinates. */
 export function pointInPicture({ viewport }: EditorApi, at?: { readonly x: number; readonly y: number }): Vector2 {
   if (!at) return new Vector2();
   // activates the one of four views that is under the point

@@ -207,7 +207,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
       this.problems.set(name, problemOf(error));
       this.log.add('error', 'shader', error.message, { chunk: name, line: 1 });
     }
-    // a draft is obsolete when the text was changed elsewhere
+    // drafts that are neither waiting nor broken are obsolete: their text was compiled, undone or replaced
     for (const name of this.drafts.keys())
       if (!this.isWaiting(name) && !this.problems.has(name)) this.drafts.delete(name);
     for (const name of this.problems.keys())

@@ -19,7 +19,7 @@ export interface ScriptFailure extends ScriptPlace {
 }
 
 /**
- * Why scripts are off: they came from outside (a file, a link, a paste), the page hung when they last ran, the address
+ * Why scripts are off: they are untrusted (of a file, a link or a paste), the page hung when they last ran, the address
  * says `?scripts=off`, or the editor is in a frame of another page, which could trick the user into clicking.
  */
 export type OffReason = 'foreign' | 'hung' | 'address' | 'framed';
@@ -59,7 +59,7 @@ export class DocumentScripts {
   /** @param load - fetches the options for running scripts; the page's own when absent */
   constructor(private readonly load: () => Promise<SceneScriptsOptions> | SceneScriptsOptions = loadModules) {}
 
-  /** Whether the scene's scripts run. Those of a scene from elsewhere are off until the user allows them. */
+  /** Whether the scene's scripts run. Those of an untrusted scene are off until the user allows them. */
   get isOn(): boolean {
     return this.isWanted;
   }
@@ -85,7 +85,7 @@ export class DocumentScripts {
     this.changed.emit();
   }
 
-  /** Switches all scripts off until the user decides, since some were added to this scene from elsewhere. */
+  /** Switches all scripts off until the user decides, since untrusted ones were added to this scene. */
   ask(): void {
     if (!this.isWanted) return;
     this.question = 'foreign';

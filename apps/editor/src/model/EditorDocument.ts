@@ -96,7 +96,7 @@ export class EditorDocument {
 
   /**
    * Shows another scene, with an empty history. The previous scene is disposed of.
-   * @param runsScripts - whether its scripts run; those of a scene from elsewhere are off until the user allows them
+   * @param runsScripts - whether its scripts run; those of an untrusted scene are off until the user allows them
    */
   open(scene: Scene, runsScripts = true): void {
     const previous = this.current;

@@ -35,7 +35,7 @@ const assetFields = (fields: FieldTable): [string, AssetType][] =>
     ([name, field]) => (field.kind === 'asset' ? [[name, field.assetType] as const] : []) as [string, AssetType][],
   );
 
-/** A prefab without references to assets of these names, and the places that had one. */
+/** A prefab without references to assets of these names, and the places that had such a reference. */
 function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { next: Prefab; usages: AssetUsage[] } {
   const usages: AssetUsage[] = [];
   const objects = prefab.objects.map((object) => ({

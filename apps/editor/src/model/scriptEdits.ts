@@ -27,7 +27,7 @@ function scriptOf(scene: Scene, name: string): FieldAsset {
   return script;
 }
 
-/** Text of a script, and the class in it. */
+/** Text of a script, and the component type that it defines. */
 export interface ScriptText {
   readonly type: string;
   readonly source: string;
@@ -109,7 +109,7 @@ export function renameScript(scene: Scene, from: string, to: string): Command {
 export const renameAnyAsset = (scene: Scene, from: string, to: string): Command =>
   (scene.assets.fieldAsset(from)?.type === 'script' ? renameScript : renameAsset)(scene, from, to);
 
-/** Method called by a trigger after a component type was renamed. @param method - 'Door.open' */
+/** The method that a trigger calls, with a renamed component type. @param method - such as 'Door.open' */
 const retypedCall = (method: unknown, from: string, to: string): unknown =>
   typeof method === 'string' && method.startsWith(`${from}.`) ? to + method.slice(from.length) : method;
 

@@ -4,7 +4,7 @@ import { shownEye } from '../picture/PictureCanvas';
 /** Size of the picture of a scene (pixels). */
 const WIDTH = 320;
 const HEIGHT = 180;
-/** Maximum size of that picture (bytes). */
+/** Maximum size of the picture of a scene (bytes). */
 const MOST = 20_000;
 
 /**

@@ -53,8 +53,8 @@ export async function exportGltf(scene: Scene, webgl: WebGLRenderer): Promise<Ex
         writeMaterialAsync: async (material: Material, def: object) => nameAnisotropyChannel(material, def),
         writeNode: (object, nodeDef) => profiles.writeNode(object, nodeDef),
         afterParse: () => {
-          // GLTFExporter writes the first joint, which must be an ancestor of all others but may not be; the property
-          // is optional
+          // GLTFExporter writes the first joint as `skeleton`: it must be an ancestor of all joints, but may not be;
+          // the property is optional
           writer.json.skins?.forEach((skin) => Reflect.deleteProperty(skin, 'skeleton'));
           profiles.finish();
         },

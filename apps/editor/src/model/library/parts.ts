@@ -89,7 +89,7 @@ function namedValues(values: Values, idOf: ReadonlyMap<string, string>): Record<
   return named;
 }
 
-/** Prefab of an item, in the user's language. @param id - of the item, such as 'street-lamp' @param name - English */
+/** Prefab of an item, in the user's language. @param id - its id, such as 'street-lamp' @param name - English name */
 export function buildItem(id: string, name: string, root: ItemRoot): BuiltItem {
   const list: { readonly part: Part; readonly id: string; readonly parent: string | null }[] = [];
   const idOf = new Map<string, string>();

@@ -1,6 +1,6 @@
 import { formatCount, t } from '@farol/editing';
 
-/** Number of object names in each line. */
+/** Maximum number of object names that are listed for each kind of loss. */
 const MOST_NAMES = 3;
 
 /** Counts by kind what a glTF file lacks. */

@@ -86,7 +86,7 @@ function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, le
     const sources: (GameObject | Object3D | null | undefined)[] = [];
     if (target && !isMorph) sources.push(objects?.get(target.node.name || target.node.type));
     for (const each of drawn) {
-      // no copy of the root of a ModelRenderer's parts: the GameObject has the place of that node
+      // the root of a ModelRenderer's parts is not copied: its GameObject stands for that node
       if (target && (isMorph || each.partsRoot !== target.node)) sources.push(each.copyOf(target.node));
     }
     const moved = sources
