@@ -74,7 +74,7 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
   }
   const runs = hasScripts(text) && (await askForScripts());
   const scene = await deserialize(text, { assets, registry, mayFetch });
-  // also without a question, so that nothing fetched later leaves the allowed hosts
+  // the page is restricted even when no question was asked, so that nothing is fetched later from other hosts
   keepToHosts(hosts);
   return { scene, runScripts: runs ? runScripts : null };
 }
@@ -103,7 +103,7 @@ function sayWhenMuted(): void {
   document.body.append(line);
 }
 
-/** Adds buttons for headsets, if there is one. @param other - members of the stage in place of the App's */
+/** Adds buttons for headsets, if there is one. @param other - members of the stage that replace those of the app */
 async function addXR(app: App, other: Partial<XRStage> = {}): Promise<void> {
   const { addXRButtons, stageOf } = await import('@farol/engine/xr');
   const place = document.createElement('div');

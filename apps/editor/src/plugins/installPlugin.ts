@@ -33,7 +33,7 @@ export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => vo
     farol.addTechnique(name, technique);
     viewport.picture.retakeTechnique();
     endings.push(() => {
-      // first, since the renderers of a comparison also have the technique
+      // the painter is removed first: its renderers for comparing techniques may use this technique
       viewport.painter = null;
       farol.removeTechnique(name);
     });

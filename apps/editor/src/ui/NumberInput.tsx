@@ -54,7 +54,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   const problemId = useId();
   const input = useRef<HTMLInputElement>(null);
   const grip = useRef<HTMLSpanElement>(null);
-  // after the rendering that shows all decimals
+  // selects the text only after the rendering that shows all decimals
   useLayoutEffect(() => {
     if (hasFocus) input.current?.select();
   }, [hasFocus]);

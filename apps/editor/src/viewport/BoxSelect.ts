@@ -16,14 +16,14 @@ export class BoxSelect {
   private readonly listening = new AbortController();
   private pointer: number | null = null;
   private isOpen = false;
-  /** Returns the objects in a box; null until its code was fetched. */
+  /** Function that returns the objects in a box; null until its code was fetched. */
   private find: typeof pickBox | null = null;
 
   constructor(private readonly viewport: PickSurface) {
     this.element.className = 'select-box';
     this.element.hidden = true;
     const { canvas } = viewport;
-    // registered before the camera's own listener
+    // these listeners are registered before those of the camera, so that they run first
     const { signal } = this.listening;
     canvas.addEventListener('pointerdown', this.pointerDown, { capture: true, signal });
     canvas.addEventListener('pointermove', this.pointerMove, { signal });

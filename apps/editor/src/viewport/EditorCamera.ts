@@ -15,7 +15,7 @@ import { OrthographicTwin } from './OrthographicTwin';
 import type { PointerControls } from './PointerControls';
 import type { ViewPose } from './ViewPose';
 
-/** Range of the orbit distance (m). */
+/** Smallest and largest distance from the eye to the orbit target (m). */
 export const NEAREST = 0.05;
 export const FARTHEST = 2000;
 
@@ -35,14 +35,14 @@ const offset = new Vector3();
 const calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 /**
- * The editor's own camera. PointerControls move a perspective camera; its orthographic twin renders views without
- * perspective, matching it at the distance of the target. Without controls it does not glide.
+ * The editor's own camera. PointerControls move a perspective camera; an orthographic camera of the same view, which
+ * matches it at the distance of the target, renders without perspective. Without controls the camera does not glide.
  */
 export class EditorCamera {
   readonly perspective = new PerspectiveCamera(50, 1, 0.05, 1000);
 
   private controls: PointerControls | null = null;
-  /** Pose of the perspective camera as long as there are no controls (world). */
+  /** Eye of the perspective camera (world) as long as there are no controls; `aim` is its orbit target. */
   private readonly eye = new Vector3(0, 0, DEFAULT_DISTANCE);
   private readonly aim = new Vector3();
   private readonly flat = new OrthographicTwin();
@@ -246,7 +246,7 @@ export class EditorCamera {
     if (!this.glides) this.settle();
   }
 
-  /** Orbits the target. @param azimuth - to the right (rad) @param polar - downwards (rad) */
+  /** Moves the camera around the target. @param azimuth - to the right (rad) @param polar - downwards (rad) */
   orbit(azimuth: number, polar: number): void {
     if (this.orbiter) return void this.orbiter.rotate(azimuth, polar, true);
     const { phi, theta } = this.angles();
@@ -254,7 +254,7 @@ export class EditorCamera {
     this.settle();
   }
 
-  /** Registers the pointer listeners again, behind the canvas's current ones. */
+  /** Registers the pointer listeners again, so that they run after the canvas's other listeners. */
   listenLast(): void {
     this.controls?.listenLast();
   }

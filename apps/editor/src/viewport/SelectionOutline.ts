@@ -36,7 +36,7 @@ const viewport = new Vector4();
 interface Stand {
   readonly mesh: Mesh;
   readonly world: Matrix4;
-  /** The scene's mesh; null for one of many instances. */
+  /** The scene's mesh; null when this is a copy of one instance among many. */
   readonly source: Mesh | null;
 }
 

@@ -75,7 +75,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Sets the number of lights, or draws, per pixel at which heat maps are hottest. */
+  /** Sets the number per pixel, of lights or of surfaces drawn, at which heat maps have their hottest colour. */
   setHeatMapMaximum(maximum: number): void {
     this.farol.heatMapMaximum = maximum;
     this.changed.emit();

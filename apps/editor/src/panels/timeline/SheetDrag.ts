@@ -11,7 +11,7 @@ export interface SheetDrag {
   click?(event: PointerEvent): void;
 }
 
-/** A drag that edits the clip: previewed while it moves, and one step at the end. */
+/** A drag that edits the clip: previewed while it moves, and committed as one step of history at the end. */
 export function editDrag(
   timeline: Timeline,
   preview: (gesture: ClipGesture, x: number, y: number, event: PointerEvent) => void,

@@ -16,7 +16,7 @@ export interface AssistedDrag {
   readonly axis: string;
   readonly space: 'world' | 'local';
   readonly dragged: readonly GameObject[];
-  /** Object that the drag moves; not below any of the dragged objects. */
+  /** Object that three's handles move; not a descendant of any of the dragged GameObjects. */
   readonly pivot: Object3D;
 }
 
@@ -221,7 +221,7 @@ export class DragAssist {
       const isTyped = i === typed.at;
       return { axis, text: `${before}${text}${isTyped ? '▏' : ''}${after}`, isTyped, isWrong: typed.isWrong(i) };
     });
-    // the readout's parent may contain other views
+    // relative to the canvas's parent, which contains the readout and may be larger than this view
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     const whole = this.canvas.parentElement?.getBoundingClientRect() ?? { left, top };
     const x = left - whole.left + ((this.pointer.x + 1) / 2) * width;

@@ -16,7 +16,7 @@ import type { Bounds } from '../panes/paneSurface';
 import { DragReadout } from './DragReadout';
 import './handles.css';
 
-/** Distances to a handle (CSS pixels) within which a mouse grabs it, and a finger. */
+/** Largest distance to a handle (CSS pixels) at which a mouse can grab it; below, the same for a finger. */
 const REACH = 9;
 const FINGER_REACH = 18;
 /** Width of a drawn handle (CSS pixels). */

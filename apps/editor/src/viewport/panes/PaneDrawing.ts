@@ -23,10 +23,10 @@ export interface PaneSurface {
   readonly stamps: SceneStamps;
   readonly parts: Pick<LateParts, 'physics' | 'lightHandles' | 'particles'>;
   readonly painter: Painter | null;
-  /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
+  /** Name of the debug view, see `ViewportSettings`; 'grid' shows all debug views. */
   readonly view: string;
   readonly lookThrough: CameraComponent | null;
-  /** Whether the scene is shown as to its players, with nothing drawn over it. */
+  /** Whether the scene is shown as its players see it, with nothing drawn over it. */
   readonly isPlayed: boolean;
   readonly onError: (error: unknown) => void;
   cameraOf(pane: ViewPane): Camera;

@@ -39,7 +39,7 @@ export class Panes {
     private readonly hasKeys: () => boolean,
     private readonly activated: () => void,
   ) {
-    // captured first, so that the right view is active when other listeners run
+    // captured before other listeners run, so that they find the view under the pointer active
     canvas.addEventListener('pointerdown', this.pointerMoved, true);
     canvas.addEventListener('pointermove', this.pointerMoved, true);
     canvas.addEventListener('wheel', this.pointerMoved, { capture: true, passive: true });
@@ -158,7 +158,7 @@ export class Panes {
     for (const { editorCamera } of this.panes) editorCamera.control(Controls);
   }
 
-  /** Registers the cameras' pointer listeners again, behind the canvas's current ones. */
+  /** Registers the cameras' pointer listeners again, so that they run after the canvas's other listeners. */
   listenLast(): void {
     for (const { editorCamera } of this.panes) editorCamera.listenLast();
   }

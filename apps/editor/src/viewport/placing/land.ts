@@ -240,7 +240,7 @@ function throwDecal(object: GameObject, { point, normal }: Surface): void {
   moveBy([object], point);
 }
 
-/** Shortest shift (m) along a wall, in whole widths, that frees a box from obstacles; zero when there is none. */
+/** Shortest shift (m) along a wall, by multiples of a box's width, that frees the box from obstacles; zero for none. */
 function freeAlong(box: Box3, solid: readonly Box3[], side: Vector3): Vector3 {
   box.getSize(size);
   const width = Math.abs(side.x) * size.x + Math.abs(side.z) * size.z + 0.05;
@@ -251,7 +251,7 @@ function freeAlong(box: Box3, solid: readonly Box3[], side: Vector3): Vector3 {
   return new Vector3();
 }
 
-/** Mounts an object on the ceiling or wall at a screen point, beside others. @returns false when it has no such tag */
+/** Mounts an object at a screen point, beside other objects. @returns whether it could; false without a mount tag */
 function fix(view: LandingView, object: GameObject, point: Vector2): boolean {
   const mount = mountOf(object);
   if (!mount) return false;

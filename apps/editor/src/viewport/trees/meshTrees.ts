@@ -2,7 +2,7 @@ import { attributeState } from '@farol/renderer/vertex-data';
 import type { BufferGeometry } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 
-/** Number of triangles above which meshes get a tree. */
+/** Number of triangles above which a geometry gets a bounding volume hierarchy ("tree"). */
 export const LARGE = 50_000;
 
 /** A tree, and the state of the geometry that it was built for. */
