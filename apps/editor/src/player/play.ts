@@ -250,6 +250,6 @@ function keepToHosts(hosts: readonly string[]): void {
   const allowed = hosts.filter((host) => /^https?:\/\/[\w.:[\]-]+$/.test(host));
   policy.content = `connect-src 'self' data: blob: ${allowed.join(' ')}; frame-src 'none'`;
   document.head.append(policy);
-  // removed, since no content policy covers these connections
+  // WebRTC is removed, since no content policy covers its connections
   for (const name of ['RTCPeerConnection', 'webkitRTCPeerConnection']) Reflect.deleteProperty(globalThis, name);
 }

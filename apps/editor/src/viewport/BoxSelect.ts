@@ -98,7 +98,7 @@ export class BoxSelect {
     selection.set(adds ? [...selection.ids, ...found] : found);
   }
 
-  /** Removes the box; the current press draws none. */
+  /** Removes the box; the current press draws no other box. */
   readonly cancel = (): void => {
     if (this.pointer === null) return;
     this.pointer = null;

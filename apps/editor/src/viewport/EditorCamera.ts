@@ -19,14 +19,14 @@ import type { ViewPose } from './ViewPose';
 export const NEAREST = 0.05;
 export const FARTHEST = 2000;
 
-/** Orbit distance (m) when the view hits nothing, not even the ground; and the largest distance taken from a hit. */
+/** Orbit distance (m) when the view hits nothing, not even the ground; below, the largest one taken from a hit. */
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
 
 /** Aspect ratio from which a view counts as wide. */
 const WIDE = 16 / 9;
 
-/** Rotation (rad) below which an axis-aligned view stays one. */
+/** Rotation (rad) below which an axis-aligned view stays axis-aligned. */
 const SIDE_REACH = 1e-3;
 
 const eye = new Vector3();

@@ -35,7 +35,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
         depthWrite: false,
         toneMapped: false,
         side: 2,
-        // drawn above a floor at height 0, to avoid z-fighting
+        // the offset draws the grid in front of a floor at height 0, to avoid z-fighting
         polygonOffset: true,
         polygonOffsetFactor: -1,
         polygonOffsetUnits: -8,

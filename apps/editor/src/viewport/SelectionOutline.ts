@@ -72,7 +72,7 @@ export class SelectionOutline {
         mask: { value: this.target.texture },
         texel: { value: new Vector2() },
         radius: { value: WIDTH },
-        // not converted to linear: the frame is already sRGB-encoded
+        // the colour is not converted to linear, since the frame is already sRGB-encoded
         colour: { value: new Color().setStyle(colour, '') },
       },
       transparent: true,

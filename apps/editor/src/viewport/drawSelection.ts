@@ -112,7 +112,7 @@ function drawLight(lines: LineSet, light: Light, segments = 64): void {
   }
 }
 
-/** Adds the frustum of a camera, shortened to a small size. */
+/** Adds the frustum of a camera; that of a perspective camera is drawn only up to a short distance. */
 function drawCamera(lines: LineSet, camera: Camera): void {
   const { three } = camera;
   three.updateWorldMatrix(true, false);

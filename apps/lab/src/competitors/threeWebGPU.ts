@@ -59,7 +59,7 @@ export const threeWebGPU: Competitor = {
     let problem = '';
     const tell = ({ message }: { message: string }): void => void (problem ||= message.split('\n')[0].slice(0, 200));
     Object.assign(renderer, { onError: tell, onDeviceLost: tell });
-    // reported by `check`, not on the console
+    // errors are reported by `check`, not on the console
     device.addEventListener('uncapturederror', (event) => event.preventDefault());
     saltShaderModules(device);
     const { limit, dropped } = clustersOf(scene, device.limits.maxStorageBufferBindingSize);

@@ -194,7 +194,7 @@ export class CaseRun {
     const { changes, limit } = plan.effort;
     if (!changes || (limit !== null && index > 0) || this.world.isLate()) return;
     const { lights, lightKind } = this.world.labCase;
-    // another number of particles restarts all of them
+    // no lights are added to particles, since a changed number restarts all particles
     if (lights !== null && lightKind !== 'particles') row.added = await stage.addLights(name);
     row.changed = await stage.changeTechnique(name);
   }

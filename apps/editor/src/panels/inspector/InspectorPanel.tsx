@@ -21,7 +21,7 @@ export function InspectorPanel(): ReactNode {
   useSignal(search.changed);
   const { text: filter } = search;
   const words = useMemo(() => wordsOfFilter(filter), [filter]);
-  // deferred, so that moving through the tree with a held key does not wait for the inspector
+  // the ids are deferred, so that moving through the tree with a held key does not wait for the inspector
   const ids = useDeferredValue(document.selection.ids);
 
   const asset = document.assetSelection.primary;

@@ -41,7 +41,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const run = (item: PaletteItem | undefined): void => {
     if (!item) return;
     onClose();
-    // deferred, so that the focus has returned to its former element when the command runs
+    // the command runs in the next frame, when the focus has returned to the element that had it before the palette
     requestAnimationFrame(() => editor.attempt(() => item.run()));
   };
   const keyDown = (event: KeyboardEvent): void => {

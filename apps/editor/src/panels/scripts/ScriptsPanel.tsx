@@ -18,7 +18,7 @@ import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
 
 const known = new WeakMap<EditorApi, ScriptEditing>();
 
-/** The editing of an editor's scripts, with the texts being typed. */
+/** The `ScriptEditing` of an editor, which holds the texts being typed; the same in each panel. */
 function useScriptEditing(): ScriptEditing {
   const editor = useEditor();
   let editing = known.get(editor);

@@ -31,11 +31,11 @@ const line = document.createElement('p');
 line.setAttribute('role', 'status');
 document.body.append(line);
 
-/** Parts of the displayed scene. */
+/** JSON of the parts of the displayed scene. */
 let shown: ReadonlyMap<PartKey, string> = new Map();
-/** Parts of the scene as last received; null until all have arrived. */
+/** JSON of the scene's parts as last received; null until all parts have arrived. */
 let told: Map<PartKey, string> | null = null;
-/** Parts of the whole scene while they arrive; null otherwise. */
+/** JSON of the scene's parts while the whole scene is being received; null otherwise. */
 let coming: Map<PartKey, string> | null = null;
 let registry = new ComponentRegistry();
 let scripts: SceneScripts | null = null;

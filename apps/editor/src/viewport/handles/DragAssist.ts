@@ -128,7 +128,7 @@ export class DragAssist {
   }
 
   /**
-   * Moves the pivot to the snapped or typed position instead of as three's handles do, and shows the amount.
+   * Moves the pivot to the snapped or typed position, in place of the one by three's handles, and shows the amount.
    * @returns whether the drag is a move that also rotates the pivot
    */
   apply(choices: DragChoices): boolean {

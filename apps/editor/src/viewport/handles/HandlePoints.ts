@@ -99,7 +99,7 @@ export class HandlePoints {
     this.three.frustumCulled = false;
     this.readout = new DragReadout(host.canvas);
     const options = { signal: this.abort.signal, capture: true };
-    // registered before the listeners of camera, gizmo and picker, which then see the event later
+    // these listeners are registered first, so that they run before those of camera, gizmo and picker
     host.canvas.addEventListener('pointerdown', (event) => this.pointerDown(event), options);
     host.canvas.addEventListener('pointermove', (event) => this.pointerMove(event), options);
     host.canvas.addEventListener('pointerup', (event) => this.pointerUp(event), options);

@@ -73,7 +73,7 @@ export class PaneDrawing {
     surface.stamps.draw(surface.document.scene.three, () => this.drawScene(pane, camera, lookThrough));
     gizmo.update(surface.raysOf(pane), surface.isPlayed);
     const view = isPlain(pane.shading) ? null : surface.farol.info.view;
-    // copied, since the next view overwrites the object
+    // `view` is copied, since the renderer overwrites this object when it draws the next view
     pane.shown = view && { ...view, tiles: view.tiles.map((tile) => ({ ...tile })) };
     if (
       !surface.isPlayed &&

@@ -33,7 +33,7 @@ function begin(geometry: BufferGeometry): Grown {
           // otherwise the geometry was edited meanwhile: the next ray starts building again
           if (trees.get(geometry) === grown && isCurrent(grown, geometry)) grown.tree = tree;
         },
-        // not fatal: without a tree, every triangle is tested
+        // a failed build is not fatal: without a tree, a ray is tested against every triangle
         (error: Error) => console.debug(`Farol: ${error.message}`),
       ),
   };
