@@ -60,7 +60,7 @@ export interface LabHandle {
   remaining(run: LabRun): LabPlan;
   /** Merges parts of one run; rows of later parts replace those of earlier ones. @throws Error if they do not match */
   merge(plan: LabPlan, parts: readonly LabRun[]): LabRun;
-  /** Parses the JSON of a run. @throws FormatError naming an invalid field @throws FormatError */
+  /** Parses the JSON of a run. @throws FormatError naming an invalid field */
   parse(json: string): LabRun;
   /** The run as Markdown, and each chart as SVG. */
   files(run: LabRun): TextFile[];

@@ -131,7 +131,7 @@ function orbit(app: App): (width: number, height: number) => void {
     active.updateWorldMatrix(true, false);
     active.matrixWorld.decompose(camera.position, camera.quaternion, new Vector3());
     if (active instanceof PerspectiveCamera) camera.fov = active.fov;
-    // orbits the point straight ahead, at the distance of the scene's centre
+    // the camera orbits the point straight ahead, at the distance of the scene's centre
     const ahead = new Vector3(0, 0, -1).applyQuaternion(camera.quaternion);
     const distance = Math.max(1, middle.clone().sub(camera.position).dot(ahead));
     controls.target.copy(camera.position).addScaledVector(ahead, distance);

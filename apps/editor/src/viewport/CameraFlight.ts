@@ -124,7 +124,7 @@ export class CameraFlight {
     return new SetFields(t('Fly {name}', { name: camera.gameObject.name }), edits);
   }
 
-  /** Runs a command as a step of history, for movement without a clear end (wheel, keys); amends a recent last step. */
+  /** Runs a command as a step of history, for movement without a clear end (wheel, keys); a recent step is amended. */
   private runStep(command: Command): void {
     const { commands } = this.document;
     const now = performance.now();

@@ -19,7 +19,7 @@ import type { ViewPose } from './ViewPose';
 export const NEAREST = 0.05;
 export const FARTHEST = 2000;
 
-/** Orbit distance (m) when the view hits nothing, not even the ground; below, the largest one taken from a hit. */
+/** Orbit distance (m) when the view hits nothing, not even the ground; below, the largest distance taken from a hit. */
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
 

@@ -272,7 +272,7 @@ export class Gizmo {
 
   private begin(): void {
     const objects = this.targets();
-    if (objects.length === 0) return; // objects may have been locked since the last frame
+    if (objects.length === 0) return; // objects may have been locked since the last frame, so that none is left to move
     this.placeProxy(objects);
     this.gesture = this.document.commands.begin();
     this.poseDrag = new this.Drag!(this.document, objects, this.proxy);

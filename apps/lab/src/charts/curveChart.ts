@@ -85,7 +85,7 @@ function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): st
 
 /** Size of the pictures, as `1280 × 720`; empty if the series has several sizes. */
 function sizeText(cases: readonly LabCase[]): string {
-  // no-break spaces, so that a line does not end within a size
+  // the sizes have no-break spaces, so that a line does not end within a size
   const sizes = new Set(cases.map(({ width, height }) => `${width}\u00a0×\u00a0${height}`));
   return sizes.size === 1 ? [...sizes][0] : '';
 }

@@ -92,7 +92,7 @@ function clustersOf(scene: StageScene, memory: number): { limit: number; dropped
   camera.updateMatrixWorld();
   for (const light of [...scene.lights, ...scene.still]) {
     if (!(light instanceof PointLight || light instanceof SpotLight)) continue;
-    // an upper bound: the sphere around a spot light's cone
+    // the sphere around a spot light's cone is an upper bound
     reaches.push({ centre: light.position, radius: light.distance || Infinity });
   }
   const clusters = Math.ceil(width / TILE) * Math.ceil(height / TILE) * SLICES;

@@ -1,4 +1,4 @@
-/** Widths to which pictures are reduced for comparison, and for kept runs (pixels); narrower ones are not enlarged. */
+/** Maximum width of pictures that are compared, and of those kept with a run (pixels); none is enlarged. */
 const COMPARED = 320;
 const KEPT = 160;
 

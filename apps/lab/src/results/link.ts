@@ -54,10 +54,7 @@ const MOST_VALUES = 200;
 
 const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
-/**
- * Adds the first problems of a kind. @param others - sentence about those left out, with `#` for their number
- * @param others - text for the others, with `#` for their number
- */
+/** Adds the first problems of a kind. @param others - text about those left out, with `#` for their number */
 function addProblems(problems: string[], all: readonly string[], others: string): void {
   problems.push(...all.slice(0, MOST_PROBLEMS));
   if (all.length > MOST_PROBLEMS) problems.push(`So ${others.replace('#', String(all.length - MOST_PROBLEMS))}.`);
@@ -156,7 +153,7 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     problem = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
   }
   if (problem === null) return [choice];
-  // cut, since messages of a plan quote names in full
+  // the message is cut, since messages of a plan quote names in full
   const reason = problem.length > 400 ? `${problem.slice(0, 400)}…` : problem;
   problems.push(
     `series=${shortened(text)} is left out: ${reason}. A series is scene:axis:values, as in sponza:lights:10,100.`,

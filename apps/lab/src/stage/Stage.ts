@@ -15,7 +15,7 @@ export interface Opened {
   picture: ImageData;
 }
 
-/** Frame times (ms) that a competitor measured in one of its turns. */
+/** Frame times (ms) of one turn, in which only one competitor is measured. */
 export interface Turn {
   /** Wall times per frame, from batches of frames with one wait each; the cost of the wait is subtracted. */
   frame: number[];

@@ -16,7 +16,7 @@ async function startOf(): Promise<{ command: string; args: readonly string[] }> 
     const { agent } = (await (await fetch('./apps.json')).json()) as { agent?: string };
     if (agent) return { command: 'node', args: [agent] };
   } catch {
-    // a page served from a plain folder has no apps.json
+    // a page served from a plain folder has no apps.json: the package's command is used
   }
   return { command: 'npx', args: ['-y', '-p', '@farol/mcp', 'farol-mcp'] };
 }

@@ -87,7 +87,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
           aria-label={t('Name of {name}', { name: object.name })}
           onClick={(event) => event.stopPropagation()}
           onFocus={({ currentTarget }) => currentTarget.select()}
-          // `abortRenaming` would move the focus back into the tree
+          // not by `abortRenaming`, which would move the focus back into the tree
           onBlur={() => tree.applySubStateUpdate('renamingItem', null)}
           onKeyDown={(event) => {
             event.stopPropagation();

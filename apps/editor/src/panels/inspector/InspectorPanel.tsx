@@ -58,7 +58,7 @@ export function InspectorPanel(): ReactNode {
       onPointerOver={show}
       onFocus={show}
       onBlur={() => setHelp('')}
-      // on touch screens the browser sends pointerleave after each tap
+      // touch does not hide the help: on touch screens the browser sends pointerleave after each tap
       onPointerLeave={({ pointerType }) => pointerType !== 'touch' && setHelp('')}
     >
       <header className="panel-header">

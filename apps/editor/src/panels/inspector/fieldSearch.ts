@@ -17,7 +17,7 @@ export class FieldSearch {
     return this.words;
   }
 
-  /** Sets the text. @param endsWithSelection - clear the text with the next selection, which may lack the field */
+  /** Sets the text. @param endsWithSelection - whether a new selection, which may lack the field, clears the text */
   find(text: string, endsWithSelection = false): void {
     this.words = text;
     this.endsWithSelection = endsWithSelection;

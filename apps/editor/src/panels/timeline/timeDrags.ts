@@ -85,7 +85,7 @@ export function moveSelected(view: TimelineView, anchor: number, from: number): 
 }
 
 /**
- * Scales the selected keys in time; null when none are.
+ * Scales the selected keys in time; null when none is selected.
  * @param isEnd - drags the last key, about the first; else the reverse
  * @param from - position of the press
  */

@@ -194,7 +194,7 @@ export class DragAssist {
       if (mode === 'translate') pivot.position.addScaledVector(this.axisOf(letter, drag), value);
       else if (mode === 'rotate')
         pivot.quaternion.premultiply(turn.setFromAxisAngle(this.axisOf(letter, drag), toRadians(value)));
-      // never 0: a scale of 0 cannot be changed by dragging any more
+      // the scale is never set to 0, which dragging could not change any more
       else if (letter === '') pivot.scale.setScalar(value || 1);
       else pivot.scale.setComponent('XYZ'.indexOf(letter), value || 1);
     });
@@ -221,7 +221,7 @@ export class DragAssist {
       const isTyped = i === typed.at;
       return { axis, text: `${before}${text}${isTyped ? '▏' : ''}${after}`, isTyped, isWrong: typed.isWrong(i) };
     });
-    // relative to the canvas's parent, which contains the readout and may be larger than this view
+    // the readout's position is relative to the canvas's parent, which may be larger than this view
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     const whole = this.canvas.parentElement?.getBoundingClientRect() ?? { left, top };
     const x = left - whole.left + ((this.pointer.x + 1) / 2) * width;

@@ -51,7 +51,7 @@ export class LightMeterTool implements Tool {
     const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
     const { scene } = viewport.document;
     picture.draw(scene, viewport.camera);
-    // wait until the code that some kinds of lights need was fetched; then the scene is drawn again
+    // waits until the code that some kinds of lights need is fetched; then the scene is drawn again
     await picture.farol.ready;
     if (this.hasEnded) return;
     picture.draw(scene, viewport.camera);

@@ -39,7 +39,7 @@ export class Panes {
     private readonly hasKeys: () => boolean,
     private readonly activated: () => void,
   ) {
-    // captured before other listeners run, so that they find the view under the pointer active
+    // pointer events are captured before other listeners run, which then find the view under the pointer active
     canvas.addEventListener('pointerdown', this.pointerMoved, true);
     canvas.addEventListener('pointermove', this.pointerMoved, true);
     canvas.addEventListener('wheel', this.pointerMoved, { capture: true, passive: true });

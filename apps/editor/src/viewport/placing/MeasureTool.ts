@@ -49,7 +49,7 @@ export class MeasureTool implements Tool {
     this.lines.end();
   }
 
-  /** Both ends (m, world); the second follows the pointer until clicked. Null until there are two. */
+  /** Ends of the measured line (m, world); the second follows the pointer until clicked. Null until there are two. */
   get ends(): readonly [Vector3, Vector3] | null {
     return this.first && this.second ? [this.first, this.second] : null;
   }
