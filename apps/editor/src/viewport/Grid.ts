@@ -69,7 +69,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
     behind.value = isWall ? 1 : 0;
     axisU.value.copy(u);
     axisV.value.copy(v);
-    // in axis-aligned views the plane goes through the origin, so that positions can be read off the grid
+    // the plane goes through the origin; `middle`, from which the grid fades, must lie in the plane
     if (isWall) middle.value.addScaledVector(front, -middle.value.dot(front));
   }
 

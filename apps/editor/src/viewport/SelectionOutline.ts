@@ -101,7 +101,7 @@ export class SelectionOutline {
     }
     webgl.getDrawingBufferSize(size);
     this.target.setSize(size.x, size.y);
-    // the mask is as large as the GL viewport, which may be a part of the canvas
+    // the outline is drawn over the GL viewport, which may be a part of the canvas
     webgl.getCurrentViewport(viewport);
     this.edge.uniforms.texel.value.set(1 / viewport.z, 1 / viewport.w);
     this.edge.uniforms.radius.value = WIDTH * webgl.getPixelRatio();

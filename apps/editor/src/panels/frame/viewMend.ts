@@ -4,13 +4,13 @@ import type { View } from '@farol/renderer';
 import type { EditorApi } from '../../api/EditorApi';
 import { setValues } from '../../model/edits';
 
-/** Makes the renderer create the buffer of a debug view: `run` by an edit or a setting, on a button with this label. */
+/** Button that makes the renderer create the buffer of a debug view: its label, and what it does. */
 export interface ViewMend {
   readonly label: string;
   run(): void;
 }
 
-/** What creates a view's buffer; null when the user has to choose, such as which light casts shadows. */
+/** Button that creates a view's buffer; null when the user has to choose, such as which light casts shadows. */
 export function viewMend(editor: EditorApi, view: View): ViewMend | null {
   const { commands, document, viewport } = editor;
   const { settings } = document.scene;

@@ -14,7 +14,7 @@ export function XRButtons(): ReactNode {
     if ('xr' in navigator) editor.attempt(async () => setModes(await (await fetchXR()).xrModes()));
   }, [editor]);
   const session = useRef<Promise<XRSession>>(null);
-  // the session's promise is rejected when the user refused the session
+  // the promise is rejected when the user has refused the session, or has ended it already
   useEffect(() => () => void session.current?.then((begun) => begun.end()).catch(() => undefined), []);
   const enter = async (mode: XRMode): Promise<void> => {
     const { viewport, document } = editor;

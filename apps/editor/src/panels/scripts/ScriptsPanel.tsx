@@ -18,7 +18,7 @@ import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
 
 const known = new WeakMap<EditorApi, ScriptEditing>();
 
-/** The `ScriptEditing` of an editor, which holds the texts being typed; the same in each panel. */
+/** The `ScriptEditing` of an editor, which holds the texts being typed; created at the first call. */
 function useScriptEditing(): ScriptEditing {
   const editor = useEditor();
   let editing = known.get(editor);

@@ -77,7 +77,7 @@ async function makeScene(parts: ReadonlyMap<PartKey, string>): Promise<Scene> {
     assets,
     registry,
     fileOf: (path) => files.get(path) ?? null,
-    // the editor has already asked its user whether the scene may fetch from these hosts
+    // the editor has already asked its user whether the scene may fetch from other hosts
     mayFetch: () => true,
   });
   scene.onComponentError = (component, error) => console.warn(component.typeName, error);

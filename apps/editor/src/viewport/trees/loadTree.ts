@@ -62,7 +62,7 @@ async function grow(source: TreeSource): Promise<SerializedBVH> {
 
 /**
  * Builds a bounding volume hierarchy for a geometry, in a worker; the geometry is unchanged. @throws Error (as a
- * rejection) when the worker fails
+ * rejection) when building fails
  */
 export async function loadTree(geometry: BufferGeometry): Promise<MeshBVH> {
   const tree = await grow(sourceOf(geometry));
