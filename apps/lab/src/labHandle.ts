@@ -22,7 +22,7 @@ export interface HandleOptions {
   readonly versions?: Readonly<Record<string, string>>;
   /** Competitors and cases with which the browser crashed: they are not opened again. */
   readonly crashes?: readonly Crash[];
-  /** Called before each step. */
+  /** Called before each step of the run, see `Progress`. */
   onStep?(step: Step): unknown;
   /** Called after each case with all rows so far. */
   onCase?(run: LabRun): unknown;

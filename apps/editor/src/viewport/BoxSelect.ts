@@ -46,7 +46,7 @@ export class BoxSelect {
     if (viewport.mode !== 'select' && !(event.ctrlKey || event.metaKey)) return;
     if (!viewport.editorCamera.enabled) return;
     this.pointer = event.pointerId;
-    // a failure is reported when the box is drawn
+    // a failure to fetch this code is reported when the box is drawn
     this.loadFind().catch(() => {});
     this.from.set(event.clientX, event.clientY);
     // with touch the controls stay enabled, so that a second finger can begin to pan and zoom

@@ -300,7 +300,7 @@ export class EditorCamera {
     if (this.isFlat) this.flat.follow(this.perspective, this.distance);
   }
 
-  /** Rotates to angles by the shorter way round. */
+  /** Rotates the camera around the target to these angles, by the shorter way round. */
   private turnTo({ theta, phi }: Spherical): void {
     const { orbiter } = this;
     if (!orbiter) return void this.eye.setFromSphericalCoords(this.distance, phi, theta).add(this.aim);

@@ -46,7 +46,7 @@ export class FrameRecorder {
     }
   }
 
-  /** Longest kept frame (ms), as the sum of its passes. */
+  /** Duration (ms) of the longest kept frame, as the sum of its passes. */
   longest(kind: 'cpu' | 'gpu'): number {
     let longest = 0;
     for (let i = 0; i < this.length; i++) {

@@ -24,7 +24,7 @@ function drawSphere(lines: LineSet, radius: number, segments = 64): void {
   lines.circle(centre, z, x, segments);
 }
 
-/** Adds the spheres of a sound's full volume and of its end of audibility. */
+/** Adds the sphere within which a sound has its full volume and, if it ends at a distance, the sphere of its range. */
 function drawSound(lines: LineSet, source: AudioSource): void {
   if (!source.positional) return;
   centre.setFromMatrixPosition(source.gameObject.object3D.matrixWorld);

@@ -14,7 +14,7 @@ import { drawRanking } from './drawRanking';
 import { runNames } from './runNames';
 import { textTag } from './svg';
 
-/** Times of every competitor along a series. */
+/** Chart of the times of every competitor along a series. */
 export function curveChart(runs: readonly LabRun[], series: LabSeries, settings: ChartSettings): ChartSpec {
   const { metric } = settings;
   const names = runNames(runs);

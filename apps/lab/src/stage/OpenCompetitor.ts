@@ -21,7 +21,7 @@ const PICTURE_TIME = 1;
 const SETTLING = 1500;
 /** Number of frames whose passes are timed. */
 const TIMED = 9;
-/** Frames before the first times of passes arrive. */
+/** Number of frames drawn before the first times of passes arrive. */
 const BEFORE_TIMES = 12;
 /** Number of lights added for the frame after a change of the lights. */
 const ADDED = 10;

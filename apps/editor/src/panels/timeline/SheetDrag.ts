@@ -5,7 +5,7 @@ export interface SheetDrag {
   /** Called when the press becomes a drag. */
   begin?(): void;
   move(x: number, y: number, event: PointerEvent): void;
-  /** @param keeps - whether the result is kept */
+  /** @param keeps - whether the drag's result is kept; false when it is cancelled */
   end(keeps: boolean): void;
   /** Called when the pointer is released without a drag. */
   click?(event: PointerEvent): void;

@@ -33,7 +33,7 @@ const AXES: Readonly<Record<string, Vector3>> = {
   Z: new Vector3(0, 0, 1),
 };
 
-/** Handle of the plane perpendicular to each axis. */
+/** Name of the plane handle perpendicular to an axis, by the axis. */
 const PLANES: Readonly<Record<string, string>> = { X: 'YZ', Y: 'XZ', Z: 'XY' };
 
 const turn = new Quaternion();

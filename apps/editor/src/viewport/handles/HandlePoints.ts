@@ -52,7 +52,7 @@ export interface HandleHost {
   invalidate(): void;
 }
 
-/** Rounds to a step, without floating-point noise. */
+/** Rounds to a multiple of a step, without floating-point noise. */
 export const roundTo = (value: number, step: number): number => Number((Math.round(value / step) * step).toFixed(4));
 
 /** Distance along a line from its origin to the point closest to a ray; null when they are parallel. */

@@ -23,7 +23,7 @@ function heightOf(camera: Camera): { at: number; grows: boolean } {
     const { top, bottom, zoom } = camera as OrthographicCamera;
     return { at: Math.abs(top - bottom) / zoom, grows: false };
   }
-  // for any perspective projection: 2 tan(fov / 2) / zoom
+  // holds for any perspective projection: 2 tan(fov / 2) / zoom
   return { at: 2 / camera.projectionMatrix.elements[5], grows: true };
 }
 

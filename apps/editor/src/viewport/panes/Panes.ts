@@ -82,7 +82,7 @@ export class Panes {
     this.resize(this.width, this.height);
   }
 
-  /** Share of the viewport that each view takes. */
+  /** Share of the viewport that each view has. */
   get share(): PaneShare {
     return this.part;
   }
@@ -115,7 +115,7 @@ export class Panes {
     return this.current.bounds;
   }
 
-  /** Activates the view at a point of the page. */
+  /** Activates the view at a point of the page (CSS pixels). */
   activateAt(clientX: number, clientY: number): void {
     const { left, top } = this.canvas.getBoundingClientRect();
     const [x, y] = [clientX - left, clientY - top];

@@ -86,7 +86,7 @@ export class MeasureTool implements Tool {
     const { lines, first, second } = this;
     lines.begin();
     if (first && second) {
-      // one line along each axis, then the direct one
+      // draws one line along each axis, then the direct line
       const corners = [
         first,
         new Vector3(second.x, first.y, first.z),
