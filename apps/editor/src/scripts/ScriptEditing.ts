@@ -4,7 +4,7 @@ import type { FieldAsset } from '@farol/engine';
 import type { EditorDocument } from '../model/EditorDocument';
 import { isJavaScript } from '../model/scriptNames';
 
-/** Delay between the last key press and setting the text (ms). */
+/** Delay between the last key press and setting the script's text (ms). */
 const DELAY = 180;
 
 /** A script that is being typed. */

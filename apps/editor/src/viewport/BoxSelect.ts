@@ -81,7 +81,7 @@ export class BoxSelect {
     else this.loadFind().then((find) => this.select(find, adds), viewport.onError);
   };
 
-  /** Fetches the code that finds the objects in a box; begun with the press, to be loaded when the box is drawn. */
+  /** Fetches the code that finds the objects in a box; called at the press, to be there when the box is drawn. */
   private async loadFind(): Promise<typeof pickBox> {
     return (this.find ??= (await import('./pickBox')).pickBox);
   }

@@ -232,7 +232,7 @@ export class EditorCamera {
   /**
    * Views the target from another direction.
    * @param direction - from the target to the camera, in the world
-   * @param flat - orthographic; a perspective view returns when the user orbits
+   * @param flat - whether the view is orthographic until the user orbits
    */
   lookFrom(direction: Vector3, flat = false): void {
     const { x, y, z } = this.target;

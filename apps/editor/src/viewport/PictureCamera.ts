@@ -56,7 +56,7 @@ export class PictureCamera {
     this.editorCamera.allowed = this.steers;
   }
 
-  /** Whether the controls can change the view: always that of the editor's camera, that of a scene's if it can move. */
+  /** Whether the controls can change the view: true for the editor's camera; a scene's camera must be movable. */
   get steers(): boolean {
     return this.through === null || (this.flight.part !== null && this.problem === null);
   }

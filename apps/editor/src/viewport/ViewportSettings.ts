@@ -17,7 +17,7 @@ const held = {
   farol: ['view'],
 } as const;
 
-/** Settings of the viewport and its handles; each change emits. */
+/** Settings of the viewport and its handles; each change emits `changed`. */
 export abstract class ViewportSettings {
   /** Emits when one of the settings, or the view, changes. */
   readonly changed = new Signal();

@@ -63,7 +63,7 @@ export const stock: Competitor = {
 /** The constant COMPLETION_STATUS_KHR. */
 const IS_COMPLETE = 0x91b1;
 
-/** Records the programs that a context links. @returns a function: whether all are linked, without waiting */
+/** Records the programs that a context links. @returns a function: whether all programs are linked; never waits */
 function watchLinks(gl: WebGL2RenderingContext): () => boolean {
   const programs: WebGLProgram[] = [];
   gl.linkProgram = (program) => {

@@ -103,7 +103,7 @@ function clustersOf(scene: StageScene, memory: number): { limit: number; dropped
   return { limit, dropped: fullest > limit ? clusterFill(reaches, camera, grid, limit).dropped : 0 };
 }
 
-/** Keeps pipelines from the browser's cache, like `saltShaders` for WebGL. */
+/** Prevents that pipelines come from the browser's cache, like `saltShaders` for WebGL. */
 function saltShaderModules(device: Device): void {
   const salt = `\n// ${Math.random().toString(36).slice(2)}\n`;
   const create = device.createShaderModule;

@@ -41,7 +41,7 @@ export interface Stage {
   turn(competitor: string, ms: number): Promise<Turn>;
   /** Counts draws, programs and bytes of one frame; called after the turns. */
   count(competitor: string): Promise<Counts>;
-  /** Times of the passes; null except for Farol. */
+  /** Times of the passes; null for competitors other than Farol's. */
   passes(competitor: string): Promise<PassTimes | null>;
   /** Measures the frame after ten lights were added, and removes them again. */
   addLights(competitor: string): Promise<Change>;

@@ -13,7 +13,7 @@ interface HierarchyRowProps {
   readonly tree: TreeInstance<string>;
   readonly item: ItemInstance<string>;
   readonly object: GameObject;
-  /** Distance from the top of the tree, and height (CSS pixels). */
+  /** Distance of the row from the top of the tree; `height` is the row's height (CSS pixels). */
   readonly top: number;
   readonly height: number;
   /** Text of `rowState`; the row is rendered again when it changes. */

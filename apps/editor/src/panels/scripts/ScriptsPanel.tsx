@@ -27,7 +27,7 @@ function useScriptEditing(): ScriptEditing {
   return editing;
 }
 
-/** The scene's scripts: list and editor; a text runs while it is typed. */
+/** The scene's scripts: list and editor; a script's text runs while it is typed. */
 export function ScriptsPanel(): ReactNode {
   const editor = useEditor();
   const editing = useScriptEditing();

@@ -1,4 +1,4 @@
-// Base colour and emission of a surface, unlit.
+// Shows the base colour and emission of a surface, unlit.
 #include <common>
 #include <color_pars_fragment>
 #include <logdepthbuf_pars_fragment>
