@@ -11,7 +11,7 @@ import { ratioChart } from './ratioChart';
 import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
-/** Kinds of charts that show a single run; for several runs the ending of their keys tells the run. */
+/** Kinds of charts that show a single run; `ending`, the end of a chart's key, differs between several runs. */
 const kinds: readonly ((
   run: LabRun,
   settings: ChartSettings,

@@ -28,7 +28,7 @@ export interface RowMark {
   readonly tip: ChartTip;
 }
 
-/** A row of a chart: bars and symbols along the axis; neither without figures. */
+/** A row of a chart: its bars and symbols along the axis; it has neither when there are no figures. */
 export interface ChartRow {
   readonly label: string;
   /** Whether the row is the title of the rows below. */

@@ -50,7 +50,7 @@ export interface RefusableScene {
 
 /** A renderer or technique that draws cases. */
 export interface Competitor {
-  /** Key, also in files and links. */
+  /** Key of the competitor, also in files and links. */
   readonly name: string;
   readonly label: string;
   /** Explanation, one sentence. */

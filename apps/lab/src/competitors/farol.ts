@@ -4,7 +4,7 @@ import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
 
-/** Number of frames by one technique until `auto` is settled: it changes some frames after estimating overdraw. */
+/** Number of frames by one technique after which `auto` counts as settled: its estimate of overdraw comes late. */
 const SETTLED = 48;
 
 /** Farol with a technique and a quality; its code is fetched before frames are timed. */
