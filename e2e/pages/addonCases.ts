@@ -16,7 +16,7 @@ import { colourMap, equirect, normalMap } from './matrix/textures';
 
 export type Render = (scene: THREE.Object3D, camera: THREE.Camera) => void;
 
-/** Something of three's addons in a scene; gives what draws in place of `render`, if something does. */
+/** Puts something of three's addons into a scene; may return a function that draws in place of `render`. */
 type AddonCase = (
   scene: THREE.Scene,
   camera: THREE.PerspectiveCamera,

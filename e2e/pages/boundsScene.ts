@@ -8,7 +8,7 @@ export interface BoundsScene {
   readonly narrow: readonly THREE.Camera[];
   /** Lights of which two in three are as bright at the end of their range as before it; to be added to the scene. */
   readonly lights: THREE.Object3D;
-  /** The same lights one by one, for stock three, and as data in `field`. */
+  /** Those lights one by one, for stock three, and as data in `field`. */
   readonly plain: THREE.Object3D;
   readonly field: LightField;
 }

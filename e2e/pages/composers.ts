@@ -167,7 +167,7 @@ window.compareInComposer = (host, technique, options) => {
   farol.technique = effectsFarol.technique = technique;
   const drawBy = { three: byThree, pmndrs: byPmndrs, effects: byEffects }[host];
   const draw = (byFarol: boolean): FloatImage => {
-    webgl.setClearColor(0x223344, 0.5); // `clear` takes what was set last, if only for a background of the frame before
+    webgl.setClearColor(0x223344, 0.5); // set anew, since a background of the frame before changes it
     return drawBy(byFarol, options);
   };
   try {

@@ -9,7 +9,7 @@ export interface Subtraction {
 
 const FLOATS = ['EXT_color_buffer_float', 'EXT_float_blend'];
 const FEW_BUFFERS = { MAX_DRAW_BUFFERS: 4, MAX_COLOR_ATTACHMENTS: 4 };
-/** WebGL 2's least. */
+/** Limits that every WebGL 2 has at least. */
 const LEAST = {
   ...FEW_BUFFERS,
   MAX_TEXTURE_SIZE: 2048,

@@ -15,9 +15,9 @@ function plain(value: unknown, depth: number, seen: Map<object, number>): unknow
   return Object.fromEntries(
     Object.keys(value)
       .sort()
-      // listeners to what is freed, three's and Farol's; the number of the frame in which three last moved bones
+      // `_listeners` holds three's and Farol's own for disposal; `frame` is that in which three last moved bones
       .filter((key) => key !== '_listeners' && key !== 'frame')
-      // textures of bones and batches, which three fills each frame, count how often
+      // `version` counts uploads of textures, which three makes in each frame for bones and batches
       .filter((key) => key !== 'version' || (value as THREE.Material).isMaterial === true)
       .map((key) => [key, plain((value as Record<string, unknown>)[key], depth - 1, seen)]),
   );

@@ -105,7 +105,7 @@ const mapsOnce =
   (by: 'renderer' | 'lights', count: number, areaLights = 0): MakeScene =>
   ({ webgl, farol }) => {
     const { scene, camera, ball } = plainScene();
-    // 'auto' keeps longer to what it drew by before
+    // 'auto' would stay longer with the technique that it drew by before
     farol.technique = 'clustered-forward';
     ball.castShadow = true;
     scene.traverse((object) => (object.receiveShadow = true));

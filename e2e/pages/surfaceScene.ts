@@ -1,7 +1,7 @@
 import { setSurface, Surface } from '@farol/renderer/surfaces';
 import * as THREE from 'three';
 
-/** Bends and paints; every step of `displace` rounds alike on CPU and GPU. */
+/** GLSL of a surface that bends and paints a mesh; every step of `displace` rounds alike on CPU and GPU. */
 export const SURFACE = `uniform float strength; // = 0.5 [0, 1, 0.01] Strength
 uniform vec3 stripe; // = #ff8000 Stripes
 float wave(vec3 p) { return 0.5 + 0.5 * sin(9.0 * p.x + 5.0 * p.y + 3.0); }
@@ -64,7 +64,7 @@ export interface SurfaceScene {
 
 /**
  * A plain mesh, an instanced one, a skinned one and an unlit one over a floor, under lights with a shadow.
- * @param wear - what they wear: SURFACE, an oracle of stock three's, or none
+ * @param wear - material of these meshes: with SURFACE, stock three's equal of it, or plain
  */
 export function surfaceScene(width: number, height: number, wear: SurfaceWear): SurfaceScene {
   const scene = new THREE.Scene();

@@ -2,7 +2,7 @@ import { type Difference, figuresOf } from './images';
 import { recordComparison } from './comparison';
 import { expect } from './test';
 
-/** How far a technique's picture may be from stock three's; what is left out is not asked. */
+/** How far a technique's picture may be from stock three's; a limit that is left out is not checked. */
 export interface Limits {
   /** Largest linear difference of a channel, at most. */
   readonly largest?: number;

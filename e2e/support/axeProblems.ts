@@ -3,10 +3,10 @@ import { isWhole } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 
 /**
- * Problems that axe calls serious or critical in the page as it is. @param rules - the only ones asked; default all
+ * Problems that axe calls serious or critical in the page as it is. @param rules - ids to check; default all
  *
- * Passed rules are not listed, and the result is not handed to a page of its own, as pages with frames of other
- * origins would need: each takes longer than the rules.
+ * Passed rules are not listed, and the result is not handed to a page of its own, which only frames of other origins
+ * need: either would take longer than the rules.
  */
 export async function axeProblems(page: Page, rules?: readonly string[]): Promise<string[]> {
   const builder = new AxeBuilder({ page }).options({ resultTypes: ['violations'] }).setLegacyMode();

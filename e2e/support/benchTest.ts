@@ -3,7 +3,7 @@ import { test as base } from './test';
 
 export { expect } from '@playwright/test';
 
-/** Above it the page is loaded anew: a browser takes the oldest of 16 contexts away. */
+/** Number of contexts above which the page is loaded anew: a browser loses the oldest of more than 16. */
 const MOST_CONTEXTS = 13;
 
 /**

@@ -17,7 +17,7 @@ export const outOfReach = (page: Page): Promise<string[]> =>
       if (control.closest('[aria-hidden="true"], [inert], .view-cube')) continue;
       control.scrollIntoView({ block: 'nearest', inline: 'nearest' });
       const { left, top, width, height } = control.getBoundingClientRect();
-      // a control that draws itself and keeps a hidden input for forms
+      // skips hidden inputs that a control which draws itself keeps for forms
       if (width <= 1 || height <= 1) continue;
       // of what is larger than the place it scrolls in, the middle of what is shown counts
       let [west, east, north, south] = [left, left + width, top, top + height];

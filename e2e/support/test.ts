@@ -26,11 +26,11 @@ const harmless = [
   // Chromium itself, when pixels are read back: the read is what the test asks for.
   /GPU stall due to (ReadPixels|mapping device local buffer)/,
   /Automatic fallback to software WebGL/,
-  // playwright.config.ts blocks them
+  // playwright.config.ts blocks service workers
   /Service Worker registration blocked by Playwright/,
   // ANGLE on Vulkan, where one of its render passes ends for many commands outside of it: a hint on its own bookkeeping
   /GL Driver Message .*Performance.*Running out of reserved outsideRenderPass queueSerial/,
-  // the answer to the question whether there is WebGPU
+  // Chromium's answer to requestAdapter() where it has no WebGPU
   /No available adapters/,
 ];
 

@@ -72,7 +72,7 @@ function linkModules(worktree) {
   const to = join(worktree, 'node_modules');
   mkdirSync(join(to, own), { recursive: true });
   for (const name of readdirSync(from)) {
-    // A cache that a build writes to must not be shared, and a worktree has no use for commands.
+    // leaves out `.bin`, since a worktree runs no commands, and caches, which builds write to
     if (name !== own && !name.startsWith('.')) link(join(from, name), join(to, name));
   }
   for (const top of ['packages', 'apps']) {

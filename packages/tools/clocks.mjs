@@ -16,9 +16,9 @@ const FRAMES = 'counted frames';
 const ANY = /performance|Date|set(Timeout|Interval)|waitForTimeout|hrtime|cpuUsage|requestAnimationFrame/;
 
 /**
- * Uses of time in the source of a test: clocks, and frames of a page that are counted to wait for something. A fake clock is
- * none, nor is a loop that asks in each frame whether something is there. Files `*.verify.test.ts` and tests with `@verify`
- * or `@long` in their titles may use time.
+ * Uses of time in the source of a test: clocks, and frames of a page that are counted to wait for something. Fake
+ * clocks do not count, nor does a loop that asks in each frame whether something is there. Files `*.verify.test.ts` and
+ * tests with `@verify` or `@long` in their titles may use time.
  *
  * @param {string} path
  * @param {string} source - TypeScript

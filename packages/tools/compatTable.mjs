@@ -4,7 +4,7 @@
  * @property {number} count pictures compared
  * @property {number} good pictures within their limits
  * @property {number} exceptions pictures that are named exceptions
- * @property {number} failed pictures outside of their limits, and one for each of `units`, `tests`, `types` that is false
+ * @property {number} failed pictures off their limits, and one for each of `units`, `tests`, `types` that is false
  * @property {number} largest error of a channel, linear
  * @property {number} psnr least, dB
  * @property {boolean} units whether the renderer's unit tests pass

@@ -1,6 +1,6 @@
 /**
  * Content security policy of Farol's pages. Scripts come from the page's own host alone; WebAssembly is allowed
- * since it decodes models, blobs since workers and pictures are made of bytes, style elements since controls write them.
+ * since it decodes models, blobs since workers and pictures are made of bytes, style elements since controls add them.
  *
  * @param {object} [options]
  * @param {boolean} [options.isServed] - the development server puts scripts into pages and pushes changes; default false

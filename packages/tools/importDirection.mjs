@@ -69,7 +69,7 @@ const engineFloors = [
   ['core'],
   ['animation', 'audio', 'physics', 'triggers'],
   ['components'],
-  // baking: collecting what is baked
+  // 'bake' collects what is to be baked
   ['bake', 'files', 'picture', 'scripts'],
   ['prefabs'],
   ['app'],

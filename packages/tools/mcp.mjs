@@ -13,6 +13,6 @@ mkdirSync(join(root, '.cache'), { recursive: true });
 // of this process alone: clients may start several at once
 const outDir = mkdtempSync(join(root, '.cache', 'mcp-'));
 process.once('exit', () => rmSync(outDir, { recursive: true, force: true }));
-// standard output belongs to the protocol
+// silent, since standard output is for messages of the protocol
 await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'silent', build: { outDir } });
 await import(pathToFileURL(join(outDir, 'cli.js')).href);

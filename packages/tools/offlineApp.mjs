@@ -2,7 +2,7 @@ import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** Maximum size in bytes of a file that is fetched before it is used; the page's own scripts are, whatever their size. */
+/** Maximum size (bytes) of a file that is fetched before it is used; the page's own scripts have no limit. */
 const KEPT = 800_000;
 
 /** Files that are fetched only once they are used, or the app was installed: exports' players, pictures of the docs and of the library. */

@@ -13,7 +13,7 @@ import { root } from './root.mjs';
 export function runNpm(args, { cwd = root, isQuiet = false } = {}) {
   /** @type {import('node:child_process').SpawnSyncOptionsWithStringEncoding} */
   const options = { cwd, stdio: isQuiet ? 'pipe' : 'inherit', encoding: 'utf8' };
-  const npm = process.env.npm_execpath; // a script, so that no shell is needed
+  const npm = process.env.npm_execpath; // npm's own script, which node runs without a shell
   const { status, stdout, stderr } = npm
     ? spawnSync(process.execPath, [npm, ...args], options)
     : spawnSync('npm', args, { ...options, shell: process.platform === 'win32' });

@@ -129,7 +129,7 @@ export function scriptDeclarations() {
       await declareEngine();
       const file = join(root, '.cache/scriptDeclarations.json');
       await mkdir(dirname(file), { recursive: true });
-      // another server may read it now
+      // written beside it and renamed, since another server may be reading the file
       await writeFile(`${file}.${process.pid}`, JSON.stringify(gatherDeclarations()));
       await rename(`${file}.${process.pid}`, file);
       return `export { default } from ${JSON.stringify(`${file}?url`)};`;

@@ -2,8 +2,8 @@
  * @typedef {import('playwright-core').BrowserContext} BrowserContext
  * @typedef {import('playwright-core').Page} Page
  * @typedef {{ mode: string, offered: boolean, edits: number, stored: number, kept: number, lost: number, lostMs: number, stallMs: number }} Kill
- *   edits: made in all; stored: last one that the page reported as stored; kept: last one in the draft that was offered;
- *   lost: count of later ones; lostMs: age of the oldest lost one; stallMs: longest block of the page's thread before (ms)
+ *   edits: made in all; stored: last one that the page reported as stored; kept: last one in the offered draft;
+ *   lost: count of later ones; lostMs: age of the oldest lost one (ms); stallMs: longest hang of the page (ms)
  */
 
 /** Kinds of edits during which the tab is killed. */
@@ -44,7 +44,7 @@ export async function killTab(context, { url, random, mode }) {
       edits.push({ n, time });
       stalls.push({ time, ms });
       stored = inDraft;
-      // on a machine that is slow to store, edits go on until some are
+      // on a machine that is slow to store, edits go on until a draft holds some
       if (edits.length >= killedAfter && (stored > 0 || edits.length > 2000)) kill();
     },
   );
@@ -54,7 +54,7 @@ export async function killTab(context, { url, random, mode }) {
   const crashed = new Promise((resolve) => page.once('crash', resolve));
   const cdp = await context.newCDPSession(page);
   const killedAt = Date.now();
-  // never answered: there is nobody left to
+  // never answered, since the page that would answer is gone
   void cdp.send('Page.crash').catch(() => {});
   await crashed;
   await page.close().catch(() => {});

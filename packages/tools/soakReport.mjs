@@ -3,7 +3,7 @@
  * @typedef {{ slope: number, error: number }} Slope a minute, with its standard error
  */
 
-/** Share of the samples that are left out at first: programs, pools and code come in then. */
+/** Share of the samples, the first ones, that are left out: programs, pools and late code are still being made then. */
 const WARM_UP = 0.25;
 
 /** Samples, once warm, from which a slope is believed. */

@@ -24,8 +24,8 @@ const stripGlsl = (glsl) =>
     .replace(/\n{2,}/g, '\n');
 
 /**
- * Vite plugin: a page is built from three's sources in place of three's one file, so that what only parts of the page use that
- * are fetched later comes with those parts. `virtual:whole-three` is all of three, for scripts: the same modules, and the rest.
+ * Vite plugin: a page is built from three's single sources, so that a part of the page which is fetched later brings
+ * the code of three that it alone uses. `virtual:whole-three` is all of three, for scripts: these modules and the rest.
  *
  * @returns {import('vite').Plugin}
  */

@@ -3,7 +3,7 @@ import type { Still } from './still/holdStill';
 
 declare global {
   interface Window {
-    /** Runs the module by steps and compares its picture; in a page opened with `&still`. */
+    /** Runs the module by steps and compares its picture; missing in a page opened without `&still`. */
     still?: Still;
   }
 }

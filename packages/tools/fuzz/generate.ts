@@ -38,7 +38,7 @@ function valuesOf(fields: FieldTable, random: FuzzRandom, ids: readonly string[]
     if (!random.once(3)) continue;
     const names = field.kind === 'asset' ? assetNames[field.assetType] : [];
     const value = field.kind === 'object' ? random.of([null, ...ids]) : randomFieldValue(field, random.next, names);
-    // models need the file that brings them
+    // half of the time no mesh of 'model.glb', since the file may lack that asset
     values[name] = value === 'model.glb' && random.once(2) ? null : value;
   }
   return values;

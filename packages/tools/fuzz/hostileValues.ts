@@ -1,6 +1,6 @@
 import type { FuzzRandom } from './FuzzRandom';
 
-/** Written as 1e999, which JSON.parse makes infinite, by `textOf`. */
+/** Placeholder that `textOf` replaces with 1e999, which JSON.parse reads as Infinity. */
 const INFINITE = '\u0001infinite\u0001';
 
 const nested = (depth: number, isList: boolean): unknown => {

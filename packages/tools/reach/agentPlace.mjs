@@ -17,7 +17,7 @@ export function noteAgentPlace(url, key) {
   try {
     mkdirSync(dirname(file), { recursive: true, mode: 0o700 });
     writeFileSync(file, JSON.stringify({ url, key }), { mode: 0o600 });
-    // the mode counts for new files alone
+    // `mode` above holds only where writeFileSync makes the file anew
     chmodSync(file, 0o600);
   } catch (error) {
     console.warn(

@@ -31,7 +31,7 @@ export function galleryPages(language) {
     const [title, sentence] = language === 'es' ? spanish.examples[name] : [example.title, example.sentence];
     const shown = [file, ...others].map((path) => {
       const code = readFileSync(join(galleryFolder, path), 'utf8');
-      // title and sentence stand above
+      // without the docblock: the page shows its title and sentence above the code
       const rest = path === file ? code.replace(/^\/\*\*[\s\S]*?\*\/\n/, '') : code;
       return `\`\`\`${path.split('.').at(-1)} [${path}]\n${rest}\`\`\``;
     });

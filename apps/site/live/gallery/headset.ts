@@ -25,7 +25,7 @@ controls.target.set(0, 1.2, -0.5);
 controls.update();
 
 webgl.xr.enabled = true;
-document.body.append(VRButton.createButton(webgl)); // says so where there is no headset
+document.body.append(VRButton.createButton(webgl)); // the button says so where there is no headset
 
 const wood = new THREE.MeshStandardMaterial({ color: 0x8a6a4a, roughness: 0.6 });
 const room = new THREE.Mesh(

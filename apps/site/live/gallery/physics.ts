@@ -67,7 +67,7 @@ app.onFrame(({ time }) => {
 
 const scene: ThreeScene = app.scene.three;
 const camera = eye.three;
-await app.scene.system(PhysicsSystem).prepare(); // Rapier is there in the first frame
+await app.scene.system(PhysicsSystem).prepare(); // so that Rapier is loaded before the first frame
 app.start();
 
 export { camera, farol, scene, webgl };

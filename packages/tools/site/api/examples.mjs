@@ -16,7 +16,7 @@ import { excerptsOf } from './excerpts.mjs';
 /** Cost that an excerpt has for coming from a unit test. */
 const TEST = 30;
 
-/** Code that tests run; the less readers learn from it, the higher its cost. @type {{ files: RegExp, cost: number }[]} */
+/** Code that tests run; the less it teaches readers, the higher its cost. @type {{ files: RegExp, cost: number }[]} */
 const sources = [
   { files: /^e2e\/samples\/.*\.tsx?$/, cost: 0 },
   { files: /^(README|packages\/\w+\/(README|docs\/[\w-]+))\.md$/, cost: 0 },

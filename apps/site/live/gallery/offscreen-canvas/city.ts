@@ -111,7 +111,7 @@ function resize({ width, height, ratio }: Size): void {
   camera.aspect = width / height;
   camera.updateProjectionMatrix();
   farol.setPixelRatio(ratio);
-  farol.setSize(width, height, false); // false: the page has the canvas's style
+  farol.setSize(width, height, false); // false: the page sets the canvas's style
 }
 
 addEventListener('message', ({ data }: MessageEvent<Message>) => {
