@@ -16,7 +16,7 @@ interface Props {
   onChange: (settings: ChartSettings) => void;
 }
 
-/** Settings of all charts: metric, axes and competitors, and the key to each run's lines. */
+/** Settings of all charts as controls (metric, axis scale, hidden competitors), and a legend of the runs' lines. */
 export function ChartControls({ runs, names, competitors, settings, onChange }: Props) {
   const { metric, scale, hidden } = settings;
   const toggle = (name: string): void => {

@@ -13,7 +13,7 @@ export interface ChartFileOptions {
   readonly source?: string;
 }
 
-/** Marks with text, in a row of the legend. */
+/** One entry of the legend: a mark, and the text beside it. */
 interface LegendItem {
   readonly words: string;
   readonly mark: string;

@@ -11,7 +11,7 @@ import { ratioChart } from './ratioChart';
 import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
-/** Kinds of charts that show a single run; for several runs the ending of their keys tells the run. */
+/** Functions that make the charts of one run; `ending` makes the charts' keys unique when there are several runs. */
 const kinds: readonly ((
   run: LabRun,
   settings: ChartSettings,

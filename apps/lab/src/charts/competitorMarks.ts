@@ -5,7 +5,7 @@ export interface CompetitorMark {
   /** Colours on a light and on a dark background, with a contrast of at least 3:1. */
   readonly light: string;
   readonly dark: string;
-  /** Symbol of its points: unique together with `hollow`. */
+  /** Symbol of the competitor's points; the pair of `symbol` and `hollow` is unique to the competitor. */
   readonly symbol: MarkSymbolName;
   readonly hollow: boolean;
 }

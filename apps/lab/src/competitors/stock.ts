@@ -6,13 +6,13 @@ import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
 import { smallFirstFrame } from './smallFirstFrame';
 
-/** Uniform vectors used by a point light; then by a spot light, and by a point light's shadow. */
+/** Number of uniform vectors used by a point light (LIGHT), a spot light (SPOT), a point light's shadow (SHADOW). */
 const LIGHT = 2;
 const SPOT = 4;
 const SHADOW = 3;
-/** Uniform vectors of a material. */
+/** Number of uniform vectors that a material uses besides the lights. */
 const OTHERS = 16;
-/** Number of lights from which compiling may hang the page: it is done in parallel, or forecast if unsupported. */
+/** From this number of lights on, compiling may hang the page: it runs in parallel, or else its time is forecast. */
 const MANY = 64;
 /** Time between two polls of the compilation (ms). */
 const POLL = 4;

@@ -20,7 +20,7 @@ function reduced(source: HTMLCanvasElement | ImageData, widest: number): CanvasR
   const height = Math.max(1, Math.round((source.height * width) / source.width));
   const context = context2D(width, height);
   context.imageSmoothingQuality = 'high';
-  // ImageData of a frame has another class than this page's ImageData
+  // ImageData made in an iframe is no instance of this page's ImageData
   context.drawImage('data' in source ? canvasOf(source) : source, 0, 0, width, height);
   return context;
 }

@@ -31,7 +31,7 @@ export interface PassTimes {
   passes: { name: string; ms: number }[];
 }
 
-/** Frame after a change, including the wait for the device. */
+/** Duration (ms) of the frame after a change, including the wait for the device to draw it. */
 export interface Change {
   ms: number;
   /** Programs linked in the frame; null for WebGPU. */

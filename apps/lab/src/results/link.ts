@@ -48,13 +48,13 @@ const MOST_LETTERS = 60;
 /** Maximum number of problems listed of one kind; further ones are counted. */
 const MOST_PROBLEMS = 3;
 
-/** Limits of a run: series of a plan, and values of a series. */
+/** Maximum number of series of a run, and of values of one series. */
 const MOST_SERIES = 50;
 const MOST_VALUES = 200;
 
 const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
-/** Adds the first problems of a kind and the number of the others. @param others - its end, `#` for the number */
+/** Adds the first problems of a kind, then a count of the others. @param others - text of that count, `#` for the number */
 function addProblems(problems: string[], all: readonly string[], others: string): void {
   problems.push(...all.slice(0, MOST_PROBLEMS));
   if (all.length > MOST_PROBLEMS) problems.push(`So ${others.replace('#', String(all.length - MOST_PROBLEMS))}.`);

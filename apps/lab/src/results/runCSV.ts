@@ -11,7 +11,7 @@ interface Place {
 }
 
 export interface Column {
-  /** Heading: lower snake case, its unit at the end. */
+  /** Heading of the column: lower snake case, with the unit at the end. */
   readonly name: string;
   readonly meaning: string;
   readonly cell: (place: Place) => Cell;

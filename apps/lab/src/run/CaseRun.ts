@@ -128,7 +128,7 @@ export class CaseRun {
     each.over = true;
   }
 
-  /** Key for forecasts: the series along a numeric axis, where times grow; the single case along an axis of names. */
+  /** Key for forecasts: the series if its axis has numbers, as times grow with them; the case alone if it has names. */
   private get line(): string {
     const { series, index } = this.world;
     return isNamed(series.axis) ? `${series.name} ${index}` : series.name;

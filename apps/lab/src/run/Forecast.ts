@@ -8,10 +8,11 @@ interface Sample {
 const STEEPEST = 2;
 
 /**
- * Predicts the duration of a competitor's frame in the next case of a series, so that cases that would take minutes are
- * left out: the last time, extrapolated by the growth between the last two cases, and at most by the cost per unit of
- * value between them. After a single case an ordinary frame is predicted in proportion to the value, and a first frame
- * by adding the same time, since compiling and uploads do not depend on the value.
+ * Predicts how long a competitor's frame takes in the next case of a series, so that cases that would take minutes are
+ * left out. The last time is extrapolated by the power with which times grew between the last two cases, and limited by
+ * the straight line through their times. After a single case an ordinary frame is predicted in proportion to the value,
+ * and a first frame by adding the growth predicted for the ordinary frame, since compiling and uploads do not depend on
+ * the value.
  */
 export class Forecast {
   /** Frame times so far, in the order of the cases, by series, competitor and kind. */
@@ -65,7 +66,7 @@ export class Forecast {
     const growth = last.value > 0 ? Math.max(1, value / last.value) : 1;
     const byPower = last.ms * growth ** Math.min(STEEPEST, Math.max(0, slope));
     if (!previous || last.value <= previous.value) return byPower;
-    // linear limit, since two short times differ by chance, and their ratio squared would predict seconds
+    // limited by the straight line: two short times differ by chance, and a power of their ratio would predict seconds
     const each = Math.max(0, last.ms - previous.ms) / (last.value - previous.value);
     return Math.min(byPower, last.ms + each * Math.max(0, value - last.value));
   }

@@ -1,11 +1,14 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import type { LabRow } from '../results/LabRun';
 
-/** State of a run before each step. One object is reused in the whole run: copy what must be kept. */
+/**
+ * State of a run before each step: opening a competitor, one of its turns, or its counts and changes. One object is
+ * reused in the whole run: copy what must be kept.
+ */
 export interface Progress {
-  /** Steps done. */
+  /** Number of finished steps. */
   done: number;
-  /** Steps of the whole run. */
+  /** Number of steps of the whole run. */
   total: number;
   /** Time left (ms), extrapolated from the steps so far; null during the first three. */
   remaining: number | null;
@@ -15,6 +18,6 @@ export interface Progress {
   labCase: LabCase;
   /** Rows so far; rows of the current case change with each turn. */
   rows: readonly LabRow[];
-  /** Last picture; null before the first one. */
+  /** The picture that a competitor drew last; null before the first picture. */
   picture: ImageData | null;
 }

@@ -26,8 +26,8 @@ export interface Turn {
 }
 
 /**
- * Interface of the page `stage.html`, its `window.stage`: competitors of one frame, each with a context on a canvas outside
- * of the document, so that nothing is presented and no frame waits for the display.
+ * Interface of the page `stage.html`, its `window.stage`: competitors that draw in one iframe, each with a context on a
+ * canvas outside of the document, so that nothing is presented and no drawn frame waits for the display.
  */
 export interface Stage {
   /**

@@ -32,7 +32,7 @@ export function answerOf(run: LabRun): Answer | null {
   return { best: all.name, wins: all.wins, cases: contests.length, few: within(0, FEW), many: within(MANY, Infinity) };
 }
 
-/** Competitor with most wins; of several, the one that is slower than the winner by the least elsewhere. */
+/** Competitor with most wins; of equal ones, the one with the smallest product of ratios to the fastest times. */
 function fastestOf(contests: readonly Winners[]): { name: string; wins: number } | null {
   const found = new Map<string, { wins: number; loss: number }>();
   for (const { best, names, entries } of contests) {
