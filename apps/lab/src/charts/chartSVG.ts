@@ -9,7 +9,7 @@ export interface ChartFileOptions {
   readonly width?: number;
   /** Default: light. */
   readonly theme?: 'light' | 'dark';
-  /** Origin of the figures, in small type at the end: device, browser, date. */
+  /** Origin of the measurements (device, browser, date), written in small type at the end of the file. */
   readonly source?: string;
 }
 

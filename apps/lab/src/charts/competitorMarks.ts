@@ -58,7 +58,7 @@ export function competitorMark(name: string): CompetitorMark {
   return Object.hasOwn(competitorMarks, name) ? competitorMarks[name] : unknown;
 }
 
-/** Position of a competitor in menus, legends and colours. */
+/** Index of a competitor in the order of menus and legends; the greatest safe integer for an unknown competitor. */
 export function competitorOrder(name: string): number {
   const place = Object.keys(competitorNames).indexOf(name);
   return place === -1 ? Number.MAX_SAFE_INTEGER : place;

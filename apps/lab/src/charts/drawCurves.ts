@@ -126,7 +126,7 @@ function rangesOf({ points }: Curve, stroke: string, { x, y }: Place): string[] 
   );
 }
 
-/** Rings around figures with warnings, and a stop sign behind a curve that ends before the last case. */
+/** Rings around times with warnings, and a stop sign behind a curve that ends before the last case. */
 function marksOf({ points, end }: Curve, stroke: string, { x, y }: Place, isList: boolean): string[] {
   const rings = points
     .filter(({ row }) => row.warnings.length > 0)

@@ -12,17 +12,17 @@ export interface ComparedRow {
   readonly value: number;
   /** Times of both runs; null unless both have one. */
   readonly times: readonly [a: Spread, b: Spread] | null;
-  /** Medians of the two runs (ms); null without a figure. */
+  /** Medians of the two runs (ms); null for a run that did not measure the time. */
   readonly a: number | null;
   readonly b: number | null;
-  /** a / b: over 1 if the second run is faster; null unless both have a figure. */
+  /** a / b: over 1 if the second run is faster; null unless both runs measured the time. */
   readonly ratio: number | null;
 }
 
-/** Mean ratio of a competitor over all cases in which both runs have a figure. */
+/** Mean ratio of a competitor over all cases in which both runs measured it. */
 export interface ComparedCompetitor {
   readonly competitor: string;
-  /** Geometric mean of the ratios; null without any. */
+  /** Geometric mean of the ratios; null if there are none. */
   readonly ratio: number | null;
   readonly cases: number;
 }

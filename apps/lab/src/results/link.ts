@@ -54,14 +54,14 @@ const MOST_VALUES = 200;
 
 const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
-/** Adds the first problems of a kind, then a count of the others. @param others - text of that count, `#` for the number */
+/** Adds the first problems of a kind, and a count of the rest. @param others - text of that count, `#` for it */
 function addProblems(problems: string[], all: readonly string[], others: string): void {
   problems.push(...all.slice(0, MOST_PROBLEMS));
   if (all.length > MOST_PROBLEMS) problems.push(`So ${others.replace('#', String(all.length - MOST_PROBLEMS))}.`);
 }
 
 /**
- * Reads a configuration from an address's fragment. Each error is reported, and replaced by the default.
+ * Reads a configuration from an address's fragment. Each invalid setting is reported, and replaced by its default.
  *
  * @param fragment - with or without `#`
  * @returns null if the fragment has neither a preset nor series
