@@ -66,7 +66,7 @@ export interface ChartSpec {
   /** Unique key among the charts of a run, lower-kebab; also the name of its file. */
   readonly key: string;
   readonly title: string;
-  /** What the drawing and its axes show, as text for screen readers. */
+  /** Contents and axes of the drawing in words, for screen readers. */
   readonly description: string;
   /** Texts in small type below the drawing: a legend in words, and reasons why values are missing. */
   readonly notes?: readonly string[];

@@ -27,9 +27,8 @@ export interface WinnerMap {
 }
 
 /**
- * Maps of a run. A scene measured with several numbers of lights and several sizes of the picture has a map of lights
- * by pixels; all other cases are in one map per axis, with a row for each series and a column for each value. Maps with
- * fewer than two cases that several competitors drew are left out.
+ * Maps of a run: of lights by pixels for each scene with several values of both; of series by value, one map per axis,
+ * for all other cases. Maps with fewer than two cases that several competitors drew are left out.
  */
 export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
   const cases = casesOf(run);

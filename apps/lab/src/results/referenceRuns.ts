@@ -11,7 +11,7 @@ export interface ReferenceRun {
 /** Addresses of the files `apps/lab/reference/*.json`, which are not part of the script. */
 const urls = import.meta.glob<string>('../../reference/*.json', { query: '?url', import: 'default', eager: true });
 
-/** What the list of runs shows of each reference: it is part of the script, the run is fetched only when opened. */
+/** Each reference as an entry of the list of runs, part of the script: the run is fetched only when opened. */
 const infos = import.meta.glob<RunInfo>('../../reference/*.json', {
   query: '?run-info',
   import: 'default',

@@ -1,10 +1,7 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import type { LabRow } from '../results/LabRun';
 
-/**
- * State of a run before each step: opening a competitor, one of its turns, or its counts and changes. One object is
- * reused in the whole run: copy what must be kept.
- */
+/** State of a run before each step, such as one turn. The run reuses the object: copy what must be kept. */
 export interface Progress {
   /** Number of finished steps. */
   done: number;

@@ -13,8 +13,7 @@ export interface Crash {
 }
 
 /**
- * Iframes with the stage of this build; competitors whose key ends in {@link AGAINST} use those of the build under
- * `against/`.
+ * Iframes with the stage of this build; keys that end in {@link AGAINST} use those of the build under `against/`.
  *
  * @param crashes - cases in which a competitor is not opened again
  */
