@@ -88,7 +88,7 @@ function yesOrNo(answer) {
   return /^(y(es)?)?$/i.test(answer) ? true : /^no?$/i.test(answer) ? false : null;
 }
 
-/** @param {string} path - path, for a shell */
+/** Quotes a path for a shell if it contains spaces. @param {string} path */
 function quoted(path) {
   return /\s/.test(path) ? `"${path}"` : path;
 }
@@ -121,7 +121,7 @@ function questions(areDefaults) {
 
 /** @param {string} manager @param {string} folder @returns {boolean} whether all packages are installed */
 function install(manager, folder) {
-  const script = manager === 'npm' ? process.env.npm_execpath : undefined; // no shell needed
+  const script = manager === 'npm' ? process.env.npm_execpath : undefined; // npm's own script runs without a shell
   const [command, ...args] = script?.endsWith('.js') ? [process.execPath, script, 'install'] : [manager, 'install'];
   const shell = command === manager && process.platform === 'win32';
   return spawnSync(command, args, { cwd: folder, stdio: 'inherit', shell }).status === 0;

@@ -22,7 +22,7 @@ export interface HandleOptions {
   readonly versions?: Readonly<Record<string, string>>;
   /** Competitors and cases with which the browser crashed: they are not opened again. */
   readonly crashes?: readonly Crash[];
-  /** Called before each step. */
+  /** Called before each step of the run, see `Progress`. */
   onStep?(step: Step): unknown;
   /** Called after each case with all rows so far. */
   onCase?(run: LabRun): unknown;
@@ -60,7 +60,7 @@ export interface LabHandle {
   remaining(run: LabRun): LabPlan;
   /** Merges parts of one run; rows of later parts replace those of earlier ones. @throws Error if they do not match */
   merge(plan: LabPlan, parts: readonly LabRun[]): LabRun;
-  /** @throws FormatError */
+  /** Parses the JSON of a run. @throws FormatError naming an invalid field */
   parse(json: string): LabRun;
   /** The run as Markdown, and each chart as SVG. */
   files(run: LabRun): TextFile[];

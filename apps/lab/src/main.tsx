@@ -5,7 +5,7 @@ import { NoStart, webglProblem } from './ui/NoStart';
 import { applyTheme, storedTheme } from './ui/support/theme';
 import './style.css';
 
-// for npm run bench
+// with `?headless` the page has no user interface, and serves `npm run bench`
 if (new URLSearchParams(location.search).has('headless')) {
   void import('./labHandle').then(({ installLabHandle }) => installLabHandle());
 } else void startPageLanguage(spanish).then(showPage);

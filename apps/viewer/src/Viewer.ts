@@ -32,8 +32,8 @@ import { ViewerEffects } from './ViewerEffects';
 const LONG = 1000;
 
 /**
- * The thesis's App: a scene over the whole page, drawn by any technique. Its state is in the page's address; the
- * address, the menu and these methods change it. Tests and benchmarks call the methods on `window.viewer`.
+ * The viewer: a scene over the whole page, drawn by any technique. Its state is in the page's address; the address,
+ * the menu and these methods change it. Tests and benchmarks call the methods on `window.viewer`.
  *
  * With a fixed time (`?time=`) nothing moves and no loop runs: each call that changes the picture draws one frame.
  */
@@ -107,42 +107,42 @@ export class Viewer {
     return this.model?.name ?? null;
   }
 
-  /** @throws Error naming the known ones when there is no such technique */
+  /** @throws Error that names the known techniques when `name` is none of them */
   setTechnique(name: string): void {
     this.farol.technique = name as TechniqueName;
     this.changed({ technique: name });
   }
 
-  /** Draws with a technique; if the device cannot run it, with `otherwise`, and displays a message. */
+  /** Draws with a technique; if the device cannot run it, draws with `otherwise` and displays a message. */
   chooseTechnique(name: string, otherwise = this.farol.technique): void {
     this.choose(name, otherwise, (one) => this.setTechnique(one));
   }
 
-  /** Shows a view; if the device cannot draw it, `otherwise`, and displays a message. */
+  /** Shows a view; if the device cannot draw it, shows the view `otherwise` and displays a message. */
   chooseView(name: string, otherwise = this.farol.view): void {
     this.choose(name, otherwise, (one) => this.setView(one));
   }
 
-  /** @throws Error naming the known ones when there is no such view */
+  /** @throws Error that names the known views when `name` is none of them */
   setView(name: string): void {
     this.farol.view = name as View;
     this.changed({ view: name });
   }
 
-  /** @throws Error naming the known ones when there is no such quality */
+  /** @throws Error that names the known qualities when `name` is none of them */
   setQuality(name: string): void {
     this.farol.quality = name as Required<FarolOptions>['quality'];
     this.changed({ quality: name });
   }
 
-  /** @param name - 'auto' means on for touch screens */
+  /** Switches the frame budget. @param name - 'on', 'off' or 'auto', which is on for touch screens */
   setBudget(name: string): void {
     this.changed({ budget: name });
   }
 
   /**
    * Chooses the anti-aliasing: a key of `known.antialiasing`.
-   * @throws Error naming the known ones when there is no such anti-aliasing
+   * @throws Error that names the known keys when `name` is none of them
    */
   setAntialiasing(name: string): void {
     if (!known.antialiasing.includes(name)) {

@@ -8,7 +8,7 @@ export function acceptDrops(viewer: Viewer): void {
     document.body.classList.add('dropping');
   };
   const out = (event: DragEvent) => {
-    // fires for every element that is left; no related target means that the pointer left the window
+    // the event fires for each element that the pointer leaves; without a related target it has left the window
     if (event.relatedTarget === null) document.body.classList.remove('dropping');
   };
   addEventListener('dragenter', over);

@@ -29,7 +29,7 @@ export interface TraceOptions {
   sliceMilliseconds?: number;
   /**
    * Whether a mesh never moves: it then casts shadows, reflects light and gets a lightmap. Default: every visible mesh.
-   * @param instance - index of an instance, asked for a static InstancedMesh
+   * @param instance - index of an instance, when asked about each instance of a static InstancedMesh; else absent
    */
   isStatic?(object: Object3D, instance?: number): boolean;
   /**
@@ -54,13 +54,13 @@ export interface TraceOptions {
 export interface BakeOptions extends TraceOptions {
   /** Width and height of a lightmap in texels: a multiple of 16, 16 to 8,192. Default 1,024. */
   size?: number;
-  /** Texels per metre of surface; needs as many lightmaps as it takes. Default: the most that fit into one lightmap. */
+  /** Texels per metre of surface; as many lightmaps as needed are made. Default: the most that fit into one. */
   texelsPerMetre?: number;
   /** Texels between charts, 1 to 16, filled so that mipmaps and bilinear filtering do not mix charts. Default 4. */
   padding?: number;
   /** Whether to remove noise, while edges of light at edges of surfaces are kept. Default true. */
   denoise?: boolean;
-  /** Whether to equalise light at chart borders on smooth surfaces, which else show as lines. Default true. */
+  /** Whether to equalise light at chart borders on smooth surfaces, where it else shows as lines. Default true. */
   stitch?: boolean;
   /** Positions of light probes to bake as well, three floats each, world space (m). Default none. */
   probes?: Float32Array;

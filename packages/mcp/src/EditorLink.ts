@@ -17,7 +17,7 @@ export interface Answer {
 /** Time limit of a call (ms). */
 const PATIENCE = 120_000;
 
-/** Maximum size of an answer (bytes): a scene as text. */
+/** Maximum size of an answer (bytes), enough for a scene as text. */
 const MOST_BYTES = 64e6;
 
 const NOT_ALLOWED =

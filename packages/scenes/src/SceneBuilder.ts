@@ -67,7 +67,7 @@ export class SceneBuilder {
     return gameObject;
   }
 
-  /** Adds an empty object to hold others. */
+  /** Adds an object without components, as parent of other objects. */
   group(name: string, parent?: GameObject): GameObject {
     return this.object(name, { parent });
   }
@@ -76,7 +76,7 @@ export class SceneBuilder {
     return this.object(name, place, [ObjectRenderer, { mesh, ...(this.shadows && meshShadows), ...values }]);
   }
 
-  /** Adds the camera, with the thesis's controllers: W, A, S, D, E, Q and dragging. */
+  /** Adds the camera, which the keys W, A, S, D, E and Q move (`speed`: m/s) and dragging turns. */
   camera(position: Vector3Tuple, target: Vector3Tuple, values: Values = {}, speed = 5): GameObject {
     const camera = this.object('Camera', {}, [Camera, values], [KeyController, { speed }], [MouseController]);
     camera.transform.lookAt(position, target);

@@ -1,4 +1,4 @@
 import { addMeshPack } from '@farol/engine';
 
-// scene files may name the meshes of these scenes
+// scene files may name meshes of the demo scenes
 addMeshPack(async () => (await import('./registerSceneAssets')).registerSceneAssets);

@@ -4,7 +4,7 @@ import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import { SetView } from '../model/commands/SetView';
 
-/** Numbers of the views that can be stored with a scene. */
+/** Numbers under which views can be stored with a scene. */
 export const places = [1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
 
 export const nameOfView = (place: number, { name }: SceneView): string =>

@@ -36,7 +36,7 @@ function copySelection(
 
 /**
  * Pastes copied objects below a parent. Files and scripts that the scene lacks are read first.
- * @param where - called once everything is read
+ * @param where - called once everything is read; returns the parent, and moves the copies
  */
 function pasteClip(
   editor: EditorApi,
@@ -83,7 +83,7 @@ export const cut: Action = {
   enabled: hasSelection,
 };
 
-/** Pastes beside the selected object, or at the top of the tree. */
+/** Pastes next to the last selected object, below the same parent, or at the top of the tree. */
 export const paste: Action = {
   id: 'edit.paste',
   label: 'Paste',
@@ -105,7 +105,7 @@ export async function pasteAt(editor: EditorApi, at: { readonly x: number; reado
   }));
 }
 
-/** Pastes below the selected object. */
+/** Pastes as children of the last selected object, or at the top of the tree. */
 export const pasteBelow: Action = {
   id: 'edit.paste-below',
   label: 'Paste below the selected object',

@@ -9,7 +9,7 @@ export function combinationOf(press: KeyPress): string | null {
   let key = press.shiftKey && /^[!-~]$/.test(press.key) ? press.key : latinKey(press);
   if (MODIFIERS.includes(key)) return null;
   if (key === ' ') key = 'Space';
-  // with Alt some systems type another character: the letter of the key counts
+  // with Alt some systems type another character: the letter at the key's position is used
   if (press.altKey && /^Key[A-Z]$/.test(press.code)) key = press.code.slice(3);
   if (isPadPress(press)) key = press.code;
   const isSign = /^[^a-z0-9]$/i.test(key);

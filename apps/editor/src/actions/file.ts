@@ -129,7 +129,7 @@ export const measure: Action = {
   run: async (editor) => (await import('../files/share/openInLab')).openInLab(editor),
 };
 
-/** Offers unsaved scenes of closed tabs again, including those put off by Later. */
+/** Offers unsaved scenes of closed tabs again, including those put off with the button Later. */
 export const recover: Action = {
   id: 'file.recover',
   label: 'Recover…',

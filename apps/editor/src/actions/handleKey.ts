@@ -26,7 +26,7 @@ function focusOf(elements: readonly Element[]): Focus {
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
   if (!(target instanceof HTMLInputElement)) return 'page';
   if (['checkbox', 'radio', 'button', 'range'].includes(target.type)) return 'page';
-  // number fields take letters too: units, π, functions
+  // number fields accept letters too: units, π, functions
   return 'text';
 }
 
@@ -37,7 +37,7 @@ const PRESSABLE = 'button, a, input, select, summary, [role="tab"], [role="treei
 const WALKED = 'input, select, [role="slider"], [role="tab"], [role="treeitem"], [role="option"], [role="separator"]';
 const WALKS = new Set(['End', 'Home', 'PageUp', 'PageDown', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']);
 
-/** Controls that keep focus after use. Escape only leaves these; in a tool's form it ends the tool. */
+/** Controls that keep focus after use: Escape only takes their focus; within a tool's form it ends the tool. */
 const FIELD = 'input, .field, [role="checkbox"], [role="combobox"], [role="slider"]';
 
 const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
@@ -61,8 +61,8 @@ function* actionsOf(editor: EditorApi, event: KeyboardEvent): Generator<readonly
 /**
  * Runs the action of a key.
  * @param isCapture - whether the event is in its capture phase: then only actions that work everywhere run, so that a
- *   closing menu does not swallow the key. In the bubbling phase actions run that the focused element allows; while a
- *   playing scene gets the keys, only Escape, which ends that
+ *   closing menu does not swallow the key. In the bubbling phase the other actions run, if the focused element allows
+ *   them; while a playing scene gets the keys, only Escape is handled, and gives the keys back
  * @returns whether an action was found, in which case other handlers must ignore the key
  */
 export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: boolean): boolean {

@@ -13,7 +13,7 @@ export function newMaterial(editor: EditorApi, renderers: readonly ObjectRendere
   editor.layout.open('inspector');
 }
 
-/** Makes a library material of the first object's own, and assigns it to all. */
+/** Makes a library material from the first object that has a material of its own, and assigns it to all objects. */
 export function makeMaterial(editor: EditorApi, renderers: readonly ObjectRenderer[]): void {
   const { document, commands } = editor;
   const first = renderers.find(({ material, shader }) => material === null && shader === null)!;

@@ -24,7 +24,7 @@ export const newMaterial: Action = {
   run: async (editor) => (await runs()).newMaterial(editor, renderersOf(editor)),
 };
 
-/** Makes a library material of the first selected object's own, and assigns it to all selected objects. */
+/** Makes a library material from the first selected object with a material of its own; all selected objects get it. */
 export const makeMaterial: Action = {
   id: 'material.make',
   label: 'Make material asset',

@@ -97,7 +97,7 @@ export const duplicateMany: Action = {
   async run({ document, viewport, tools }) {
     const { DuplicateTool } = await import('../viewport/placing/DuplicateTool');
     if (document.selection.ids.length === 0) return;
-    // ended first, since an open tool restores the scene when it ends
+    // the open tool is ended before another one is made, since it restores the scene when it ends
     tools.end();
     const tool: { current: InstanceType<typeof DuplicateTool> | null } = { current: null };
     tool.current = new DuplicateTool(document, viewport.rayCamera, () => tools.end(tool.current));
@@ -125,7 +125,7 @@ export const makePrefab: Action = {
   },
 };
 
-/** Turns the selected instance into plain objects. */
+/** Turns the selected prefab instance into plain objects. */
 export const unpackPrefab: Action = {
   id: 'prefab.unpack',
   label: 'Unpack prefab',

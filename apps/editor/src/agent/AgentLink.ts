@@ -8,7 +8,7 @@ import { runTool } from './runTool';
 /** Maximum number of calls that wait for their turn; more are refused. */
 const MOST_WAITING = 32;
 
-/** Maximum length of a client's name as shown. */
+/** Maximum length of a client's name as shown (characters). */
 const NAME = 40;
 
 type RelayMessage =
@@ -17,7 +17,7 @@ type RelayMessage =
   | { readonly kind: 'problem'; readonly problem: string }
   | (AgentMessage & { readonly number: number });
 
-/** Connection through the dev server by which agents run tools in an editor, from the user's consent until `end`. */
+/** Connection through the dev server by which AI agents run tools in an editor, from the user's consent until `end`. */
 export class AgentLink {
   /** Emits when a client connects, disconnects or calls, and when the link opens or ends. */
   readonly changed = new Signal();
@@ -48,7 +48,7 @@ export class AgentLink {
     return [...this.names.values()];
   }
 
-  /** Number of calls so far. */
+  /** Number of calls by agents since the link began. */
   get count(): number {
     return this.calls;
   }

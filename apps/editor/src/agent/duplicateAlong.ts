@@ -43,7 +43,7 @@ const arrangementOf = (input: Input): Arrangement => ({
   grouped: input.grouped ?? false,
 });
 
-/** Command that copies as the tool “Duplicate along” does. @throws Error without surface, or for over `MOST` */
+/** Command that copies as the tool “Duplicate along” does. @throws Error for no places, or over `MOST` */
 export function duplicateAlong({ document: { scene } }: EditorApi, input: Input): Command {
   const arrangement = arrangementOf(input);
   const sources = topmost(findObjects(scene, input.objects), scene);

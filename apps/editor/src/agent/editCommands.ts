@@ -112,7 +112,7 @@ async function addEdit(editor: EditorApi, edit: EditOf<'add_object'>): Promise<P
   return { make, touched: () => [object] };
 }
 
-/** Command that adds a component. @throws Error for an unknown type, and for a second one of a type that allows one */
+/** Command that adds a component. @throws Error for an unknown type, or a second one of a `unique` type */
 function added(scene: Scene, object: GameObject, type: string, values: Values = {}): Command {
   const found = scene.registry.get(type);
   if (found.unique && object.getComponent(type))

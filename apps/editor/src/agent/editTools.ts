@@ -24,7 +24,7 @@ function labelOf(edits: readonly Edit[], client: string): string {
 
 /**
  * Makes edits as one step of the history: all, or none.
- * @throws Error (as a rejection) that names the edit and the mend
+ * @throws Error (as a rejection) that names the edit and the remedy
  */
 export async function runEdits(
   editor: EditorApi,

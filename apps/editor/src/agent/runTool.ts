@@ -5,7 +5,7 @@ import { runBatch, runEdits } from './editTools';
 import { describeType, getLights, getMessages, getObjects, getScene } from './readTools';
 import { takeScreenshot } from './screenshot';
 
-/** Maximum number of letters of an answer. */
+/** Maximum length of an answer (characters). */
 const MOST_LETTERS = 4_000_000;
 
 type EditName = keyof typeof edits;
@@ -31,8 +31,8 @@ const runners: { readonly [Name in Exclude<ToolName, EditName>]: Runner<Name> } 
 
 /**
  * Runs a tool of an agent.
- * @param input - as it came, unchecked
- * @throws Error (as a rejection) that names the thing and the mend; an edit has then changed nothing
+ * @param input - the tool's input as the agent sent it, unchecked
+ * @throws Error (as a rejection) that names the thing and the remedy; an edit has then changed nothing
  */
 export async function runTool(
   editor: EditorApi,

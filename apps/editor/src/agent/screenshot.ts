@@ -32,14 +32,14 @@ function eyeOf(editor: EditorApi, { camera: reference, from, to, fov = 50 }: Too
   return { camera, component: null };
 }
 
-/** The picture without the editor's marks. The user's own view stays. */
+/** A picture of the scene without the editor's marks. The user's viewport stays as it was. */
 export async function takeScreenshot(editor: EditorApi, input: ToolInput<'screenshot'>): Promise<Content[]> {
   const { viewport, document: edited } = editor;
   const { canvas, picture } = viewport;
   if (!canvas.isConnected || canvas.width === 0 || canvas.height === 0)
     throw new Error('The picture is not shown: ask the user to open the panel Viewport.');
   if (viewport.isQuad) throw new Error('Four views are shown: run_action view.quad shows one.');
-  // files of the scene, and late code
+  // waits for files of the scene and for late code, at most `PATIENCE`
   await Promise.race([picture.ready, new Promise((resolve) => setTimeout(resolve, PATIENCE))]);
   const { camera, component } = eyeOf(editor, input);
   const width = Math.min(input.width ?? 960, canvas.width);

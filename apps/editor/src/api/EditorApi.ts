@@ -139,8 +139,8 @@ export interface EditorApi {
   /** Runs a function. Errors become messages; cancelling a file picker is ignored. */
   attempt(run: () => unknown): void;
   /**
-   * Adds everything that a plugin contains, or nothing. Components of the scene that were kept as data become real
-   * again.
+   * Adds everything that a plugin contains, or nothing. Components of the scene that were kept as data, since their
+   * type was missing, work again.
    * @throws Error naming what exists already
    */
   addPlugin(plugin: EditorPlugin): void;
@@ -156,7 +156,7 @@ export interface EditorApi {
   openScript(name: string, line?: number): void;
   /**
    * Replaces the scene, with an empty history.
-   * @param runsScripts - whether its scripts run, the default; those of a scene from elsewhere are off until the user
+   * @param runsScripts - whether its scripts run; default true. Those of an untrusted scene are off until the user
    *   allows them
    */
   show(scene: Scene, file: OpenFile, runsScripts?: boolean): void;

@@ -39,5 +39,5 @@ const late = (name: 'IntensityEditor' | 'TemperatureEditor'): ComponentType<Owne
     (props) => createElement(NumberEditor, props),
   );
 
-/** Editors of numbers with an `input` of their own, fetched when first shown. */
+/** Editors of number fields that declare an `input`, by its name; fetched when first shown. */
 export const numberEditors = { intensity: late('IntensityEditor'), temperature: late('TemperatureEditor') };

@@ -73,7 +73,7 @@ export class ThumbnailMaker {
       });
       void this.drawWaiting();
       known.set(key, picture);
-      // not cached: an asset that was not loaded yet is tried again
+      // a missing thumbnail is not cached, so that an asset that was not loaded yet is tried again
       void picture.then((address) => address ?? known.delete(key));
     }
     return picture;

@@ -3,7 +3,7 @@ import type { FileProblem, ForeignAddress } from '@farol/engine/files';
 import type { Dialogs } from '../model/Dialogs';
 import { firstNames } from './firstNames';
 
-/** Number of assets listed for each host, and of hosts listed. */
+/** Maximum numbers of assets listed for each host, and of hosts listed. */
 const LISTED = 4;
 const HOSTS = 30;
 

@@ -115,7 +115,7 @@ export function assetEntries(scene: Scene): AssetEntry[] {
   return [...scene.prefabs.list.map(prefabEntry), ...entries.toSorted((a, b) => rank(a) - rank(b))];
 }
 
-/** Whether a built-in texture is another size of one: 'stone@512'. */
+/** Whether a built-in texture is another built-in one in another size, as 'stone@512' is of 'stone'. */
 const isOtherSize = (assets: AssetLibrary, name: string): boolean =>
   assets.isBuiltin(name) && assets.has(name.replace(/@\d+$/, '')) && /@\d+$/.test(name);
 

@@ -102,9 +102,9 @@ async function packedObj(
 }
 
 export interface ImportResult {
-  /** Names of the assets, including those that existed already. */
+  /** Names of all imported assets, including those that existed already. */
   readonly names: readonly string[];
-  /** Names of the assets that existed already. */
+  /** Names of the imported assets that existed already. */
   readonly known: readonly string[];
 }
 

@@ -27,7 +27,7 @@ async function sameBytes(a: Blob, b: Blob): Promise<boolean> {
   return left.every((byte, i) => byte === right[i]);
 }
 
-/** The files of a library by size, for fast comparison with many others. */
+/** The files of a library by size, for fast comparison with many other files. */
 export class KnownFiles {
   private readonly bySize = new Map<number, AssetFile[]>();
 

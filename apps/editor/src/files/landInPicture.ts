@@ -4,10 +4,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { shapesToLoad } from '../viewport/placing/boundsOfNew';
 import { land, type LandingView } from '../viewport/placing/land';
 
-/**
- * Normalised device coordinates in the viewport of a page position. @param at - CSS pixels; the centre of the viewport
- * when absent
- */
+/** A page position (CSS pixels; the viewport's centre when absent) in the viewport's normalised device coordinates. */
 export function pointInPicture({ viewport }: EditorApi, at?: { readonly x: number; readonly y: number }): Vector2 {
   if (!at) return new Vector2();
   // activates the one of four views that is under the point
@@ -43,7 +40,7 @@ export async function landInPicture(
   const { scene } = editor.document;
   await loadShapes(editor, objects);
   if (scene !== editor.document.scene) return;
-  // first, since it activates the view under the pointer
+  // computed before `landingView`: `pointInPicture` activates the view under the pointer, which `landingView` reads
   const point = pointInPicture(editor, at);
   land(landingView(editor), objects, point);
 }

@@ -192,7 +192,7 @@ export async function placeAsset(
     return;
   }
   if (!document.assets.isBuiltin(asset.name) || asset.kind === 'model') await document.assets.load(asset.name);
-  // computing normals of a large mesh takes seconds
+  // prepared before the object is added, since computing normals of a large mesh takes seconds
   if (asset.kind === 'mesh' && document.assets.isReady('mesh', asset.name)) {
     await document.assets.prepareMesh(asset.name);
   }

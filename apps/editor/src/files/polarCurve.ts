@@ -1,9 +1,9 @@
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 
-/** Radius that stands for the maximum of the scale, in drawing units. */
+/** Radius of the outermost ring, at which the intensity is the scale's maximum (drawing units). */
 export const POLAR_RADIUS = 100;
 
-/** Number of rings, and of rays in a quadrant, of the grid. */
+/** Number of rings of the grid, and angle between its rays (degrees). */
 export const RINGS = 4;
 export const RAY_DEGREES = 30;
 
@@ -11,7 +11,7 @@ const RADIANS = Math.PI / 180;
 /** Angle between two points of the polar curve (degrees). */
 const STEP = 1;
 
-/** Rounds up to 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 or 10 times a power of ten, so that quarters are round numbers. */
+/** Rounds up to 1, 1.2, 1.6, 2, 2.4, 3.2, 4, 5, 6, 8 or 10 times a power of ten, so that quarters are round numbers. */
 export function roundUp(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));

@@ -14,8 +14,8 @@ type FileOf = (name: string) => Promise<Blob | null>;
 
 /**
  * Reads assets of copied objects that the scene lacks: files of the clipboard, and URLs, after the user has allowed
- * their hosts. Scripts that the user never ran: all scripts of the scene are switched off until the user decides.
- * Unreadable assets are reported by name.
+ * their hosts. When there are scripts that the user never ran, all scripts of the scene are switched off until the user
+ * decides. Unreadable assets are reported by name.
  * @param list - assets, each after those that it uses
  * @param fileOf - returns a file of the list by name; the clipboard's when absent
  * @throws AbortError when the user cancelled, and then nothing has changed

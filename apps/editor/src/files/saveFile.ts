@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import { fileSave, type FirstFileSaveOptions } from 'browser-fs-access';
 import { browserReason } from './browserReason';
 
-// imported together, to be fetched as one chunk
+// exported again here, so that one import fetches these and `saveFile` as one bundle
 export { mayReplace } from './mayReplace';
 export { seenFile } from './seenFile';
 

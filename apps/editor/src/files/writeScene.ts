@@ -47,7 +47,7 @@ async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): 
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(scene.name)}.farol`;
   const step = editor.commands.last;
   await keepPicture(editor, fileName);
-  // the picker returns the file; browsers without one download and return none
+  // the picker returns a file handle; browsers without a picker download the file and return null
   let content = await bytesFor(scene, fileName);
   let saved = await saveFile(content, { ...fileType, fileName }, handle);
   if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {

@@ -9,13 +9,13 @@ export interface PanelGroup {
   readonly active: string;
 }
 
-/** Places side by side ('row') or stacked ('column'). */
+/** Groups or splits that are arranged side by side ('row') or one above the other ('column'). */
 export interface LayoutSplit {
   readonly kind: 'split';
   readonly direction: 'row' | 'column';
   /** The split's parts: at least two, none of them a split in the same direction. */
   readonly children: readonly LayoutNode[];
-  /** Preferred width or height of each child (CSS pixels). The child with the viewport takes the rest. */
+  /** Preferred width or height of each child (CSS pixels). The child with the viewport gets the remaining space. */
   readonly sizes: readonly number[];
 }
 
@@ -25,7 +25,7 @@ export type LayoutNode = PanelGroup | LayoutSplit;
 /** Side of a group where a panel is dropped: into the group, or beside it. */
 export type DropSide = 'centre' | 'left' | 'right' | 'top' | 'bottom';
 
-/** Id of the panel that takes the space left by others. */
+/** Id of the panel that gets the space left by the other panels. */
 export const MAIN_PANEL = 'viewport';
 
 /** All groups of a layout, from left to right and from top to bottom. */

@@ -11,7 +11,7 @@ import { repairLayout } from './repairLayout';
 interface LayoutState {
   /** Layout from the browser's storage, maybe of another version; null for the default. See `PanelLayout.current`. */
   stored: LayoutNode | null;
-  /** Ids of panels seen before; new ones are opened. */
+  /** Ids of panels that have existed before; a panel that is not among them is opened. */
   known: readonly string[];
   /** Id of the panel that fills the window; null for none. Not stored. */
   maximised: string | null;
@@ -21,7 +21,7 @@ interface LayoutState {
   sheet: string | null;
   /** Share of a small window, 0 to 1, that the panel beside the viewport takes. */
   share: number;
-  /** Whether the user has resized panels. */
+  /** Whether the user has resized panels, after which none is grown automatically. */
   isSized: boolean;
 }
 

@@ -18,7 +18,7 @@ export interface Panel {
    * window, unless the user has resized panels. No minimum when absent.
    */
   readonly height?: number;
-  /** Fetches the component when the panel is first in front. Its effects are off while it is behind another panel. */
+  /** Fetches the component when the panel is first in front. Its React effects are off while the panel is not. */
   load(): Promise<ComponentType>;
 }
 

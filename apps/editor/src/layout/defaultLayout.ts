@@ -20,8 +20,8 @@ const NARROW = 1000;
 /**
  * The default layout: open panels at their default places, those of one place in a group. In a narrow upright window
  * the viewport has the full width, with the other panels below.
- * @param height - height of the window (CSS pixels), which determines the height of the bottom
- * @param width - width of the window (CSS pixels), which determines the width of the sides
+ * @param height - height of the window (CSS pixels), which determines the height of panels at the bottom
+ * @param width - width of the window (CSS pixels), which determines the width of panels at the sides
  */
 export function defaultLayout(panels: readonly PlacedPanel[], height = 900, width = 1440): LayoutNode {
   const between = (least: number, size: number, most: number): number =>

@@ -28,7 +28,7 @@ export interface PlacedEdge {
 /** Width of dividers between groups (CSS pixels). */
 export const EDGE = 1;
 
-/** Smallest width and height of a place (CSS pixels), if the window is large enough. */
+/** Smallest width and height of a split's child (CSS pixels), if the window is large enough. */
 export const SMALLEST = 120;
 
 /**

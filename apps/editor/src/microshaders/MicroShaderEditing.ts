@@ -11,7 +11,7 @@ import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
 import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts';
 
-/** Removes microshaders from a registry, dependents before their dependencies. @returns those that others include */
+/** Removes microshaders from a registry, dependents first. @returns those that stay, since others include them */
 function takeOut(registry: MicroShaderRegistry, names: readonly string[]): string[] {
   let remaining = names.filter((name) => registry.has(name));
   for (let countBefore = Infinity; remaining.length < countBefore;) {
@@ -207,7 +207,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
       this.problems.set(name, problemOf(error));
       this.log.add('error', 'shader', error.message, { chunk: name, line: 1 });
     }
-    // a draft is obsolete when the text was changed elsewhere
+    // drafts that are neither waiting nor broken are obsolete: their text was compiled, undone or replaced
     for (const name of this.drafts.keys())
       if (!this.isWaiting(name) && !this.problems.has(name)) this.drafts.delete(name);
     for (const name of this.problems.keys())

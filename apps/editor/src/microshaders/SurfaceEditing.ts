@@ -82,7 +82,7 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
       // compiles the surface even if it is not drawn yet
       surface.compile(this.farol);
     } catch {
-      // the text before this edit did not compile either
+      // ignored: the surface's previous text did not compile either
     }
     surface.source = text;
   }

@@ -6,7 +6,7 @@ const KEY = 'farol-clipboard';
 
 const NONE: ReadonlyMap<string, Blob> = new Map();
 
-/** Code for copied files, fetched with the first copy that has some, or a paste that needs those of another tab. */
+/** Code that stores and reads copied files, fetched when files are first copied, or pasted from another tab. */
 const loadFiles = async (): Promise<ClipboardFiles> => import('./ClipboardFiles');
 
 /**
@@ -22,7 +22,7 @@ export class Clipboard {
 
   private copiedText: string | null = null;
   private files: ReadonlyMap<string, Blob> = NONE;
-  /** Whether files are being stored; until then other tabs read the copy before this one. */
+  /** Whether files are being stored; until they are, other tabs still read the previous copy. */
   private isStoring = false;
   private hasStored = false;
 
@@ -40,7 +40,7 @@ export class Clipboard {
     this.put(text, NONE);
   }
 
-  /** Whether GameObjects were copied last, or are being copied. */
+  /** Whether the last copy holds GameObjects, or GameObjects are being copied. */
   get hasObjects(): boolean {
     return this.coming !== null || (this.text?.startsWith('{"format":"farol-objects"') ?? false);
   }
@@ -57,7 +57,7 @@ export class Clipboard {
     }
   }
 
-  /** Sets the copy. @param files - files that the text refers to, by their names in it */
+  /** Replaces the last copy. @param files - files that the text refers to, by their names in the text */
   put(text: string | null, files: ReadonlyMap<string, Blob>): void {
     this.copiedText = text;
     this.files = files;
@@ -85,7 +85,7 @@ export class Clipboard {
       await (await loadFiles()).writeFiles(files);
       this.hasStored = true;
     } catch {
-      // no storage, or no space: the tab that pastes reports the missing files
+      // IndexedDB is missing or full: the tab that pastes reports the missing files
     }
     if (this.files !== files) return;
     this.isStoring = false;
@@ -97,11 +97,11 @@ export class Clipboard {
       if (text === null) localStorage.removeItem(KEY);
       else localStorage.setItem(KEY, text);
     } catch {
-      // no storage, or no space: the previous copy must not be pasted in place of this one
+      // localStorage is missing or full: removes the previous copy, so that other tabs do not paste that
       try {
         localStorage.removeItem(KEY);
       } catch {
-        // no storage
+        // localStorage is missing
       }
     }
     if (!this.hasStored || this.files.size > 0) return;

@@ -95,10 +95,10 @@ export type DialogRequest =
 export class Dialogs {
   readonly changed = new Signal();
 
-  /** Text typed while the code of the opened palette was being fetched. */
+  /** Text typed after the command palette was opened, while its code was being fetched. */
   typed = '';
 
-  /** Element that had the focus when the first of the dialogs opened, which gets it back; null in Node. */
+  /** Element that had the focus before a dialog opened; it is focused again after the last one closes. Null in Node. */
   before: Element | null = null;
 
   private request: DialogRequest | null = null;

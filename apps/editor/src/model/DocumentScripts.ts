@@ -21,8 +21,8 @@ export interface ScriptFailure extends ScriptPlace {
 }
 
 /**
- * Why scripts are off: they came from elsewhere, the page hung when they last ran, the address says `?scripts=off`, or
- * the editor is in a frame of another page, which could trick the user into clicking.
+ * Why scripts are off: they are untrusted (of a file, a link or a paste), the page hung when they last ran, the address
+ * says `?scripts=off`, or the editor is in a frame of another page, which could trick the user into clicking.
  */
 export type OffReason = 'foreign' | 'hung' | 'address' | 'framed';
 
@@ -59,7 +59,7 @@ export class DocumentScripts {
   /** @param load - fetches the options for running scripts; the page's own when absent */
   constructor(private readonly load: () => Promise<SceneScriptsOptions> | SceneScriptsOptions = loadModules) {}
 
-  /** Whether the scene's scripts run. Those of a scene from elsewhere are off until the user allows them. */
+  /** Whether the scene's scripts run. Those of an untrusted scene are off until the user allows them. */
   get isOn(): boolean {
     return this.isWanted;
   }
@@ -78,14 +78,14 @@ export class DocumentScripts {
     return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
   }
 
-  /** Switches scripts off, in this scene and the next ones, until the user switches them on; `framed` forbids that. */
+  /** Switches scripts off, in this scene and later ones, until the user allows them; `framed` cannot be allowed. */
   hold(reason: OffReason): void {
     this.isOn = false;
     this.held = this.question = reason;
     this.changed.emit();
   }
 
-  /** Switches all scripts off until the user decides, since some were added to this scene from elsewhere. */
+  /** Switches all scripts off until the user decides, since untrusted ones were added to this scene. */
   ask(): void {
     if (!this.isWanted) return;
     this.question = 'foreign';
@@ -109,7 +109,7 @@ export class DocumentScripts {
     return this.current?.errors ?? NONE;
   }
 
-  /** The last error that each script threw, with its present text, since the scene began to play, by script name. */
+  /** By script name, the last error that the script's present text threw since the scene began to play. */
   get failures(): ReadonlyMap<string, ScriptFailure> {
     return this.failed;
   }

@@ -44,7 +44,7 @@ export class EditorDocument {
   onAssetFailed: (error: Error) => void = () => {};
   /** Names of assets whose failure is reported by the code that loads them, not by `onAssetFailed`. */
   readonly toldElsewhere = new Set<string>();
-  /** Emits every change of the scene that is shown, as it is made, previews included. */
+  /** Emits every change of the document's scene as it is made, previews included. */
   readonly sceneChanged = new Signal<[SceneChange]>();
   /** Emits when a field of a material of the library changes. */
   readonly materials = new Signal();
@@ -52,7 +52,7 @@ export class EditorDocument {
   readonly assetSelection = new AssetSelection<string>();
   /** Emits when a view stored with the scene changes. */
   readonly views = new Signal();
-  /** Emits when a clip's preview, while the scene is stopped, shows other values. */
+  /** Emits when the stopped scene shows other values because an animation clip is previewed. */
   readonly previewed = new Signal();
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
@@ -96,7 +96,7 @@ export class EditorDocument {
 
   /**
    * Shows another scene, with an empty history. The previous scene is disposed of.
-   * @param runsScripts - whether its scripts run; those of a scene from elsewhere are off until the user allows them
+   * @param runsScripts - whether its scripts run; those of an untrusted scene are off until the user allows them
    */
   open(scene: Scene, runsScripts = true): void {
     const previous = this.current;

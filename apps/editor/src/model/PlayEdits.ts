@@ -61,7 +61,7 @@ export class PlayEdits {
     return this.all.filter((command) => !(command instanceof SetFields)).map(({ label }) => label);
   }
 
-  /** Whether all edits can be kept as they were made: nothing else was edited since. */
+  /** Whether all edits can be kept as they were made: nothing was edited since the scene stopped. */
   get canKeepAll(): boolean {
     return this.all.length > 0 && this.document.commands.last === this.last;
   }
@@ -83,7 +83,7 @@ export class PlayEdits {
   end(reset: () => void): void {
     const { commands } = this.document;
     let isWhole = true;
-    // a step on an object that a component removed cannot be undone; the scene restores what is left of the object
+    // an edit of an object that a component removed cannot be undone; the scene restores what is left of the object
     const taken = commands.release(() => (isWhole = false));
     reset();
     this.takeAssets();
@@ -164,7 +164,7 @@ export class PlayEdits {
 
 const withParts = (taken: TakenAsset): TakenAsset[] => [taken, ...taken.parts.flatMap(withParts)];
 
-/** Whether a step makes, deletes or edits only scripts or texts of surfaces. */
+/** Whether a command makes, deletes or edits only scripts or texts of surfaces. */
 function isOfScripts(command: Command): boolean {
   if (command instanceof Sequence) return command.parts.length > 0 && command.parts.every(isOfScripts);
   return command instanceof SetFields
@@ -172,7 +172,7 @@ function isOfScripts(command: Command): boolean {
     : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
 }
 
-/** A copy of a value edit with nothing to undo yet: scripts may since have changed the values that undo restores. */
+/** A copy of a SetFields as if never done: scripts may have changed the values that its undo would restore. */
 const asNew = (command: Command): Command =>
   command instanceof SetFields ? new SetFields(command.label, command.edits) : command;
 
@@ -195,7 +195,7 @@ function changesOf(commands: readonly Command[]): PlayChange[] {
       const owner = currentOf(edited);
       const at = changes.findIndex((each) => sameField(each, { owner, name }));
       if (at >= 0) changes.splice(at, 1);
-      // the field is a uniform of a surface that was assigned or typed while the scene played
+      // skipped: the field was a uniform of a surface that was assigned or typed while the scene played, and is gone
       if (!Object.hasOwn(owner.fields, name) || checkFieldValue(owner.fields[name], value) !== null) continue;
       const change = { owner: owner as PlayChange['owner'], name, from: owner.getAuthored(name), to: value };
       if (!sameValue(change.from, value)) changes.push(change);

@@ -11,7 +11,7 @@ export interface SessionInfo {
   readonly time: number;
   /** Number of GameObjects. This and `edit` are absent in autosaves of earlier versions. */
   readonly objects?: number;
-  /** Label of the last edit; null when it was undone or forgotten. */
+  /** Label of the last edit in the undo history; null when there is none. */
   readonly edit?: string | null;
   /** Whether the scene has changes that are in no file. */
   readonly isDirty: boolean;

@@ -65,7 +65,7 @@ export class Simulation {
     this.enter('stopped');
   }
 
-  /** Called each frame. @param deltaSeconds - time since the last frame; counts up to 0.1 s */
+  /** Called each frame. @param deltaSeconds - time since the last frame; limited to 0.1 s */
   advance(deltaSeconds: number): void {
     if (this.isPlaying) this.getScene().update(Math.min(Math.max(deltaSeconds, 0), LONGEST_STEP));
   }

@@ -15,7 +15,7 @@ export class UniqueNames {
     scene.traverse(({ name }) => this.taken.add(name));
   }
 
-  /** Reserves and returns a free name: the given one, or with the first free number. */
+  /** Reserves and returns a free name: `base`, or `base` with the first free number after it. */
   take(base: string): string {
     const name = this.taken.has(base) ? this.numbered(base) : base;
     this.taken.add(name);

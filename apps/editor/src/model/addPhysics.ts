@@ -56,7 +56,7 @@ function componentsFor(object: GameObject, kind: PhysicsKind): Component[] {
 /** Height of a walking character's camera above its feet (m). */
 const EYE_HEIGHT = 1.65;
 
-/** Commands that add a character below a camera as the camera's parent. @param selected - ids selected now */
+/** Commands that add a character as the parent of a camera. @param selected - ids selected now */
 function carryCamera(scene: Scene, camera: GameObject, selected: readonly string[]): (() => Command)[] {
   const player = new GameObject(t('Player'));
   player.addComponent(CharacterController);

@@ -135,7 +135,7 @@ function renameAll(scene: Scene, label: string, renames: ReadonlyMap<string, str
         () =>
           new RenameAsset(label, scene, from, to),
     ),
-    // made only after the renaming: the prefab may refer to an asset that was just renamed
+    // each command is made only after the renaming of assets: the prefab may refer to an asset that was just renamed
     ...ofPrefabs.map(
       ([id, name]) =>
         () =>

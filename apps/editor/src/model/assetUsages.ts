@@ -35,7 +35,7 @@ const assetFields = (fields: FieldTable): [string, AssetType][] =>
     ([name, field]) => (field.kind === 'asset' ? [[name, field.assetType] as const] : []) as [string, AssetType][],
   );
 
-/** A prefab without references to assets of these names, and the places that had one. */
+/** A prefab without references to assets of these names, and the places that had such a reference. */
 function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { next: Prefab; usages: AssetUsage[] } {
   const usages: AssetUsage[] = [];
   const objects = prefab.objects.map((object) => ({
@@ -75,7 +75,7 @@ function usagesOfScript(scene: Scene, script: string, source: string): AssetUsag
   return usages;
 }
 
-/** Every place that refers to an asset or a part of it, or has a component of it. */
+/** Every place that refers to an asset or a part of it, or, for a script, has a component that it defines. */
 export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
   const script = scene.assets.fieldAsset(asset);
   if (script?.type === 'script') return usagesOfScript(scene, asset, script.get('source') as string);

@@ -30,7 +30,7 @@ export const lightsInPlace = (scene: Scene): Light[] =>
     .componentsOf(Light)
     .filter((light) => light.isActive && light.mode === 'realtime' && staysInPlace(light.gameObject));
 
-/** Numbers of static objects, baked lights, instanced objects, and of objects and lights that could be added to them. */
+/** Numbers of static objects, baked lights, instanced objects; objects and lights to add where there are none. */
 export function countForBake(scene: Scene): readonly [number, number, number, number, number] {
   const { objects, lights, instanced } = bakeSources(scene);
   return [

@@ -7,8 +7,8 @@ import { sourceWithImports } from './scriptImports';
 import { componentTypeOf, scriptOfType, sourceForName, sourceForType } from './scriptNames';
 
 /**
- * A copied file or address, read for a scene: the asset, ready to be added under its name; the name of an equal asset
- * of the scene; or null when it could not be read.
+ * The result of reading a copied file or URL for a scene: the asset, ready to be added under its name; the name of an
+ * equal asset of the scene; or null when it could not be read.
  */
 export type ReadAsset = TakenAsset | string | null;
 
@@ -29,8 +29,8 @@ export interface BroughtAssets {
 
 /**
  * Prepares the assets of copied objects for a scene.
- * @param list - each after the assets that it uses
- * @param read - files and addresses that were read, by their names in the clipboard
+ * @param list - the copied assets, each after those that it uses
+ * @param read - files and URLs that were read, by their names in the clipboard
  */
 export function bringAssets(
   scene: Scene,
@@ -42,7 +42,7 @@ export function bringAssets(
   return bringing;
 }
 
-/** Name under which a scene already has a copied file or address; null when it does not have it. */
+/** Name under which a scene already has a copied file or URL; null when it does not have it. */
 export function nameInScene({ assets }: Scene, { name, type, file, url }: FileAsset): string | null {
   if (url !== undefined) return assets.urlOf(name) === url ? name : null;
   if (file === undefined) return null;

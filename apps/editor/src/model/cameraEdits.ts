@@ -17,7 +17,7 @@ export interface CameraView extends WorldPose {
   readonly fov: number;
   /** Height of an orthographic view (m); null for perspective. */
   readonly size: number | null;
-  /** Distance that the camera's far plane has at least (m). */
+  /** Minimum distance of the camera's far plane (m). */
   readonly far: number;
 }
 
@@ -52,7 +52,7 @@ export function poseEdits({ transform, object3D }: GameObject, { position, quate
   ];
 }
 
-/** Lens values for a view: perspective or orthographic as in the view; a perspective camera keeps its field of view. */
+/** Lens values for the view's projection; a camera that is perspective already keeps its field of view. */
 function lensOf(view: CameraView, camera: Camera | null): Record<string, FieldValue> {
   const far = Math.max((camera?.getAuthored('far') as number | undefined) ?? 200, Math.ceil(view.far));
   if (view.size !== null) return { projection: 'orthographic', size: view.size, far };
@@ -61,7 +61,7 @@ function lensOf(view: CameraView, camera: Camera | null): Record<string, FieldVa
 }
 
 /**
- * Moves a camera to a view, and takes over perspective or orthographic.
+ * Moves a camera to a view, and gives it the view's projection: perspective or orthographic.
  * @throws Error saying why it cannot be moved
  */
 export function alignCamera(camera: Camera, view: CameraView): Command {

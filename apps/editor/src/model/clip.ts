@@ -30,7 +30,7 @@ export interface Clip {
   readonly format: 'farol-objects';
   /** Objects in tree order; the copied roots have no parent. */
   readonly objects: readonly FileObject[];
-  /** Assets, each after those that it uses; files have their names in the clipboard. */
+  /** Assets, each after those that it uses; a file asset names its file in the clipboard. */
   readonly assets: readonly FileAsset[];
   /** Fields that refer to assets and objects, for each component type defined by a script. */
   readonly naming: Readonly<Record<string, NamingFields>>;
@@ -162,7 +162,7 @@ function readClip(text: string): RawClip & { objects: FileObject[] } {
 export const assetsOfClip = (text: string): readonly FileAsset[] =>
   checked({ ...readClip(text), objects: [] }, { registry: new ComponentRegistry() }).assets;
 
-/** Whether a scene can use an asset at once: it is there already, or made of fields and no script. */
+/** Whether a scene can use a copied asset at once: it has it already, or the asset is made of fields, not code. */
 export function isAssetThere(scene: Scene, asset: FileAsset): boolean {
   const { name, type, values } = asset;
   if (values === undefined) return nameInScene(scene, asset) !== null;
@@ -180,11 +180,11 @@ const checked = (
   );
 
 export interface PasteOptions {
-  /** Label of the step, given the names of the copies; "Pasted …" when absent. */
+  /** Label of the undo step, given the names of the copies; "Pasted …" when absent. */
   readonly label?: (names: string) => string;
   /** Moves the copies before they are added to the scene. */
   readonly place?: (copies: readonly GameObject[]) => void;
-  /** Files and addresses read for the scene, by their names in the clipboard; optional for those that the scene has. */
+  /** Files and URLs read for the scene, by their names in the clipboard; optional for those that the scene has. */
   readonly read?: ReadonlyMap<string, ReadAsset>;
 }
 

@@ -22,7 +22,7 @@ export function readComponentClip(text: string | null): ComponentClip | null {
   }
 }
 
-/** Values of a copied component that a table of fields allows, by name, kind and range. */
+/** Values of a copied component that fit a table of fields: a field of that name exists and allows the value. */
 export function fittingValues(clip: ComponentClip, fields: FieldTable): Record<string, FieldValue> {
   return Object.fromEntries(
     Object.entries(clip.values).filter(

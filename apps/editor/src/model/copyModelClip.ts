@@ -16,14 +16,14 @@ import { splitName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 
-/** A model's clip converted from nodes to fields. */
+/** A model's animation clip, converted from tracks of nodes to tracks of fields. */
 export interface CopiedClip {
   readonly data: ClipData;
   /** Names of the model's tracks that cannot be converted. */
   readonly lost: readonly string[];
 }
 
-/** Maximum error of the copy between two keys: rad for rotations, else relative to the largest value. */
+/** Maximum error of the copy between two keys: rad for rotations, else a share of the track's largest value. */
 const ACCURACY = 1e-4;
 
 /** Number of samples compared between two keys, to decide whether more keys are needed. */
@@ -83,7 +83,7 @@ function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
   const add = (time: number, value: Vector3Tuple): void => {
     keys.push(isStep ? { time, value, easing: 'step' } : { time, value });
   };
-  /** Adds keys where linear interpolation between two samples is too far off, largest error first. */
+  /** Adds keys between two samples where linear interpolation errs by more than `ACCURACY`, largest error first. */
   const refine = (samples: readonly ClipKey[], first: number, last: number): void => {
     const from = samples[first].value as Vector3Tuple;
     const to = samples[last].value as Vector3Tuple;
@@ -150,7 +150,7 @@ export const whyNotCopy = (clip: ModelClip): string | null =>
       );
 
 /**
- * Adds an editable copy of a model's clip, and makes animations play it, as one step.
+ * Adds an editable copy of a model's clip, and makes the given Animations play the copy, as one undo step.
  * @throws Error when the clip cannot be copied
  */
 export function makeEditableCopy(

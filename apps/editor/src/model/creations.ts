@@ -13,7 +13,7 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 export interface Creation {
   readonly label: string;
   readonly group: 'mesh' | NonNullable<NewObject['group']>;
-  /** Heading: the scene that a mesh belongs to, or the kind of object; null for others. */
+  /** Heading in the Add menu: the demo scene that a mesh comes from, or the kind of object; null for no heading. */
   readonly folder: string | null;
   /** Name of an icon; unknown names get a plain one. */
   readonly icon: string;

@@ -44,7 +44,7 @@ export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Com
   });
 }
 
-/** Copies each object and its descendants; the copy follows the original, has a unique name and is selected. */
+/** Copies each object and its descendants; the copy comes after the original, has a unique name and is selected. */
 export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const shift = new Map<Container, number>();
@@ -72,7 +72,7 @@ export function canMoveTo(objects: readonly GameObject[], parent: Container): bo
 }
 
 /**
- * Moves objects below a parent; their world poses stay, and tracks of clips follow them.
+ * Moves objects below a parent; their world poses stay, and clips that animate them are changed to their new paths.
  * @param index - index among the parent's other children; at the end when absent
  */
 export function moveObjects(scene: Scene, objects: readonly GameObject[], parent: Container, index?: number): Command {
@@ -87,7 +87,7 @@ export function moveObjects(scene: Scene, objects: readonly GameObject[], parent
   return followTracks(scene, new MoveObjects(label, scene, tops, parent, before));
 }
 
-/** Renames an object; tracks of clips follow it. */
+/** Renames an object; clips that animate it are changed to its new path. */
 export function renameObject(object: GameObject, name: string): Command {
   const label = t('Renamed {name} to {next}', { name: object.name, next: name });
   const command = new SetProperty(label, [object], 'name', name);

@@ -26,7 +26,7 @@ import { followTracks } from './timeline/followTracks';
 
 const stay = { done: [], undone: [] };
 
-/** Command for one edit of a plan by the engine. */
+/** Command for one edit of a plan that the engine made. */
 function commandOf(scene: Scene, edit: PrefabEdit): Command {
   switch (edit.kind) {
     case 'field':
@@ -65,7 +65,7 @@ function commandOf(scene: Scene, edit: PrefabEdit): Command {
   }
 }
 
-/** Runs a whole plan as one step. @param selected - ids that stay selected */
+/** Runs a whole plan as one undo step. @param selected - ids that stay selected */
 function planned(label: string, scene: Scene, plan: PrefabPlan, selected: readonly string[]): Command {
   const edits = new Sequence(
     label,

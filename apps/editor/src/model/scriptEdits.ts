@@ -27,7 +27,7 @@ function scriptOf(scene: Scene, name: string): FieldAsset {
   return script;
 }
 
-/** Text of a script, and the class in it. */
+/** Text of a script, and the component type that it defines. */
 export interface ScriptText {
   readonly type: string;
   readonly source: string;
@@ -83,9 +83,9 @@ export function duplicateScript(scene: Scene, from: string): MadeScript {
 }
 
 /**
- * Renames a script; the name includes its folder. A class named after the script is renamed too, imports of and by the
- * script are adapted, and so are components in prefabs and those kept as data (running ones follow by themselves),
- * triggers that call them, and tracks of clips.
+ * Renames a script; the name includes its folder. A class named after the script is renamed too. Imports of and by the
+ * script are adapted, and so are triggers that call its components, tracks of clips, and its components in prefabs or
+ * kept as data while it does not run; those that run adapt by themselves.
  * @throws AssetError when the name is taken
  */
 export function renameScript(scene: Scene, from: string, to: string): Command {
@@ -109,7 +109,7 @@ export function renameScript(scene: Scene, from: string, to: string): Command {
 export const renameAnyAsset = (scene: Scene, from: string, to: string): Command =>
   (scene.assets.fieldAsset(from)?.type === 'script' ? renameScript : renameAsset)(scene, from, to);
 
-/** Method called by a trigger after a component type was renamed. @param method - 'Door.open' */
+/** The method that a trigger calls, with a renamed component type. @param method - such as 'Door.open' */
 const retypedCall = (method: unknown, from: string, to: string): unknown =>
   typeof method === 'string' && method.startsWith(`${from}.`) ? to + method.slice(from.length) : method;
 
@@ -125,7 +125,7 @@ function retypeUses(scene: Scene, label: string, from: string, to: string): (() 
   return commands.map((command) => () => command);
 }
 
-/** Renames a component type in prefabs, in components kept as data, and in what names the type. */
+/** Renames a component type in prefabs, in components kept as data, in triggers that call it and in tracks of clips. */
 function retype(scene: Scene, label: string, from: string, to: string): (() => Command)[] {
   const prefabs = scene.prefabs.list.flatMap((prefab) => renamedType(prefab, from, to) ?? []);
   const kept: Component[] = [];
@@ -170,8 +170,8 @@ function renamedType(prefab: Prefab, from: string, to: string): Prefab | null {
 }
 
 /**
- * Adds a component of a script to each object. While the script does not run, the component is kept as data, and
- * becomes real once it runs.
+ * Adds a component of a script to each object. Until the script runs, only the component's data are kept, without
+ * behaviour.
  * @throws AssetError when the script defines no component
  */
 export function addScriptComponent(scene: Scene, objects: readonly GameObject[], script: string): Command {

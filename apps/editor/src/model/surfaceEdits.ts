@@ -88,7 +88,7 @@ export function wearSurface(surface: string, users: readonly SurfaceWearer[]): C
 
 const wearing = (users: readonly SurfaceWearer[], surface: string): FieldEdit[] =>
   users.flatMap((owner): FieldEdit[] => [
-    // an ObjectRenderer with a custom shader takes no surface
+    // the custom shader is removed, since an ObjectRenderer that has one ignores surfaces
     ...(owner instanceof ObjectRenderer ? [{ owner, name: 'shader', value: null }] : []),
     { owner, name: 'surface', value: surface },
   ]);

@@ -12,7 +12,7 @@ export interface TriggerProblem {
 
 type Mend = TriggerProblem['mend'];
 
-/** Colliders whose contacts an object is notified of: its own, and those of its rigid body, maybe descendants. */
+/** Colliders whose contacts an object is notified of: its own, and on a rigid body also those of its descendants. */
 function collidersOf(object: GameObject): Collider[] {
   const isBody = object.getComponent(RigidBody) !== null;
   const found = [...object.getComponents(Collider)];
@@ -92,7 +92,7 @@ function ofTarget(scene: Scene, trigger: EventTrigger): TriggerProblem[] {
   }
   const { methods, method } = trigger;
   if (method !== '' && methods.includes(method)) return [];
-  // methods of other components first: switching things off is rarely the intention
+  // proposes methods of the target's other components first: switching things on or off is rarely what is meant
   const meant = methods.filter(
     (each) => !/^(GameObject|EventTrigger|Collider)\.|\.(enable|disable|toggle)$/.test(each),
   );

@@ -7,7 +7,7 @@ import { StatusBar } from './status/StatusBar';
 import './dialogs/dialogs.css';
 import './toolbar/toolbar.css';
 
-// fetched late: the viewport needs no library of menus and dialogs
+// the toolbar is fetched late: the viewport can be shown without the library of menus and dialogs
 const Toolbar = lazy(async () => ({ default: (await import('./toolbar/Toolbar')).Toolbar }));
 const DialogHost = lazy(async () => ({ default: (await import('./dialogs/DialogHost')).DialogHost }));
 const PlayTint = lazy(async () => ({ default: (await import('./play/PlayTint')).PlayTint }));

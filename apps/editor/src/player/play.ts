@@ -74,7 +74,7 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
   }
   const runs = hasScripts(text) && (await askForScripts());
   const scene = await deserialize(text, { assets, registry, mayFetch });
-  // also without a question, so that nothing fetched later leaves the allowed hosts
+  // the page is restricted even when no question was asked, so that nothing is fetched later from other hosts
   keepToHosts(hosts);
   return { scene, runScripts: runs ? runScripts : null };
 }
@@ -103,7 +103,7 @@ function sayWhenMuted(): void {
   document.body.append(line);
 }
 
-/** Adds buttons for headsets, if there is one. @param other - members of the stage in place of the App's */
+/** Adds buttons for headsets, if there is one. @param other - members of the stage that replace those of the app */
 async function addXR(app: App, other: Partial<XRStage> = {}): Promise<void> {
   const { addXRButtons, stageOf } = await import('@farol/engine/xr');
   const place = document.createElement('div');
@@ -131,7 +131,7 @@ function orbit(app: App): (width: number, height: number) => void {
     active.updateWorldMatrix(true, false);
     active.matrixWorld.decompose(camera.position, camera.quaternion, new Vector3());
     if (active instanceof PerspectiveCamera) camera.fov = active.fov;
-    // orbits the point straight ahead, at the distance of the scene's centre
+    // the camera orbits the point straight ahead, at the distance of the scene's centre
     const ahead = new Vector3(0, 0, -1).applyQuaternion(camera.quaternion);
     const distance = Math.max(1, middle.clone().sub(camera.position).dot(ahead));
     controls.target.copy(camera.position).addScaledVector(ahead, distance);
@@ -250,6 +250,6 @@ function keepToHosts(hosts: readonly string[]): void {
   const allowed = hosts.filter((host) => /^https?:\/\/[\w.:[\]-]+$/.test(host));
   policy.content = `connect-src 'self' data: blob: ${allowed.join(' ')}; frame-src 'none'`;
   document.head.append(policy);
-  // removed, since no content policy covers these connections
+  // WebRTC is removed, since no content policy covers its connections
   for (const name of ['RTCPeerConnection', 'webkitRTCPeerConnection']) Reflect.deleteProperty(globalThis, name);
 }

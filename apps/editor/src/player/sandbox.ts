@@ -23,7 +23,7 @@ interface ReadyMessage {
 /** Tells the embedding page, if any, that the scene is completely drawn. */
 export function tellReady(): void {
   const message: ReadyMessage = { farol: 'ready' };
-  // sent to any origin, since the message reveals nothing
+  // the message is sent to any origin, since it reveals nothing
   if (parent !== self) parent.postMessage(message, '*');
 }
 

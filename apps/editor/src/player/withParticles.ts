@@ -1,7 +1,7 @@
 /** The player's script element; must be read while the script first runs. */
 const ownScript = document.currentScript as HTMLScriptElement | null;
 
-/** Global variable of a player's script. */
+/** Global variable that a player's script sets. */
 interface PlayerGlobal {
   readonly FarolPlayer: { readonly ready: Promise<void> };
 }

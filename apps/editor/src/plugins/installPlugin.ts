@@ -33,7 +33,7 @@ export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => vo
     farol.addTechnique(name, technique);
     viewport.picture.retakeTechnique();
     endings.push(() => {
-      // first, since the renderers of a comparison also have the technique
+      // the painter is removed first: its renderers for comparing techniques may use this technique
       viewport.painter = null;
       farol.removeTechnique(name);
     });
@@ -44,7 +44,7 @@ export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => vo
   for (const panel of plugin.panels ?? []) {
     const takeOut = panels.add(panel);
     endings.push(() => {
-      // forgotten, so that an open panel is opened again when the plugin is added again
+      // the layout forgets an open panel, so that it opens again when the plugin is added again
       if (layout.isOpen(panel.id)) layout.forget(panel.id);
       takeOut();
     });

@@ -4,7 +4,7 @@ import type { FieldAsset } from '@farol/engine';
 import type { EditorDocument } from '../model/EditorDocument';
 import { isJavaScript } from '../model/scriptNames';
 
-/** Delay between the last key press and setting the text (ms). */
+/** Delay between the last key press and setting the script's text (ms). */
 const DELAY = 180;
 
 /** A script that is being typed. */
@@ -70,7 +70,7 @@ export class ScriptEditing {
     return isBroken;
   }
 
-  /** Notes typed text, which is set once typing pauses. */
+  /** Stores typed text, which becomes the script's text once typing pauses. */
   edit(name: string, text: string): void {
     const asset = this.assetOf(name);
     if (!asset) return;
@@ -82,7 +82,7 @@ export class ScriptEditing {
     this.changed.emit();
   }
 
-  /** Sets typed text at once, if it has no syntax errors. */
+  /** Makes typed text the script's text at once, if it has no syntax errors. */
   flush(): void {
     clearTimeout(this.timer);
     const { draft } = this;

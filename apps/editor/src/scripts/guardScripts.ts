@@ -28,7 +28,7 @@ export function guardScripts(document: EditorDocument): void {
   else if (new URLSearchParams(location.search).get('scripts') === 'off') scripts.hold('address');
   else if (hung) scripts.hold('hung');
   scripts.changed.subscribe(note);
-  // not reached when a hanging page is killed
+  // removes the mark when the page is left; not reached when a hanging page is killed, so that its mark stays
   addEventListener('pagehide', () => ofTab((store) => store.removeItem(KEY)));
   addEventListener('pageshow', note);
 }

@@ -13,7 +13,7 @@ export interface NumberInputProps {
   readonly step: number;
   /** Unit shown after the number, and assumed for numbers typed without one. */
   readonly unit?: string;
-  /** Maximum number of decimals: five for 'long' (beyond those of `step` only while typing), three for 'short'. */
+  /** Maximum number of decimals: three for 'short'; for 'long' five, or fewer by `step` while not focused. */
   readonly digits?: 'long' | 'short';
   readonly label: string;
   readonly description?: string;
@@ -54,7 +54,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   const problemId = useId();
   const input = useRef<HTMLInputElement>(null);
   const grip = useRef<HTMLSpanElement>(null);
-  // after the rendering that shows all decimals
+  // selects the text only after the rendering that shows all decimals
   useLayoutEffect(() => {
     if (hasFocus) input.current?.select();
   }, [hasFocus]);

@@ -10,7 +10,7 @@ const RADIANS = Math.PI / 180;
 const pathOf = (points: readonly (readonly [number, number])[]): string =>
   `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`;
 
-/** Intensity (cd) with few digits. */
+/** Text of an intensity (cd), with few digits. */
 const candelas = (value: number): string =>
   value >= 100 ? Math.round(value).toString() : Number(value.toPrecision(2)).toString();
 

@@ -36,7 +36,7 @@ export function TurningBall({ materialOf, revision, label }: TurningBallProps): 
     material.current = materialOf;
   });
   useEffect(() => {
-    // once per frame for all changes, including the end of a drag
+    // the sphere is drawn once per frame for all changes, including the end of a drag
     const frame = requestAnimationFrame(() => {
       const drawn = material.current();
       const place = canvas.current;

@@ -13,7 +13,7 @@ export function useOwnersRevision(owners: readonly FieldOwner[], changed?: (fiel
   const [subscribe, read] = useMemo(() => {
     const signals = owners.map((owner) => document.ownerSignal(owner));
     const sum = (): number => signals.reduce((all, { revision }) => all + revision, 0);
-    // counted here: summing a thousand signals at each of a thousand emissions would be slow
+    // the revision is counted here: summing a thousand signals at each of a thousand emissions would be slow
     let revision = sum();
     let isRead = true;
     const follow = (listener: () => void): (() => void) => {

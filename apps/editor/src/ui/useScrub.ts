@@ -42,7 +42,7 @@ export function useScrub(
 
 function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>): void {
   if (down.button !== 0 || !down.isPrimary || (down.target as Element).closest('button, a')) return;
-  // prevents text selection; blur commits another field
+  // prevents text selection; the blur below commits the field that had the focus
   down.preventDefault();
   (document.activeElement as HTMLElement | null)?.blur();
   target.setPointerCapture(down.pointerId);

@@ -16,14 +16,14 @@ export class BoxSelect {
   private readonly listening = new AbortController();
   private pointer: number | null = null;
   private isOpen = false;
-  /** Returns the objects in a box; null until its code was fetched. */
+  /** Function that returns the objects in a box; null until its code was fetched. */
   private find: typeof pickBox | null = null;
 
   constructor(private readonly viewport: PickSurface) {
     this.element.className = 'select-box';
     this.element.hidden = true;
     const { canvas } = viewport;
-    // registered before the camera's own listener
+    // these listeners are registered before those of the camera, so that they run first
     const { signal } = this.listening;
     canvas.addEventListener('pointerdown', this.pointerDown, { capture: true, signal });
     canvas.addEventListener('pointermove', this.pointerMove, { signal });
@@ -46,7 +46,7 @@ export class BoxSelect {
     if (viewport.mode !== 'select' && !(event.ctrlKey || event.metaKey)) return;
     if (!viewport.editorCamera.enabled) return;
     this.pointer = event.pointerId;
-    // a failure is reported when the box is drawn
+    // a failure to fetch this code is reported when the box is drawn
     this.loadFind().catch(() => {});
     this.from.set(event.clientX, event.clientY);
     // with touch the controls stay enabled, so that a second finger can begin to pan and zoom
@@ -81,7 +81,7 @@ export class BoxSelect {
     else this.loadFind().then((find) => this.select(find, adds), viewport.onError);
   };
 
-  /** Fetches the code that finds the objects in a box; begun with the press, to be loaded when the box is drawn. */
+  /** Fetches the code that finds the objects in a box; called at the press, to be there when the box is drawn. */
   private async loadFind(): Promise<typeof pickBox> {
     return (this.find ??= (await import('./pickBox')).pickBox);
   }
@@ -98,7 +98,7 @@ export class BoxSelect {
     selection.set(adds ? [...selection.ids, ...found] : found);
   }
 
-  /** Removes the box; the current press draws none. */
+  /** Removes the box; the current press draws no other box. */
   readonly cancel = (): void => {
     if (this.pointer === null) return;
     this.pointer = null;

@@ -8,7 +8,7 @@ import type { EditorCamera } from './EditorCamera';
 /** Largest interval (ms) between wheel notches or key presses that are one step of history. */
 const BURST = 1000;
 
-/** Matrix that no camera has, so that the next comparison fails. */
+/** Elements of a matrix that no camera has: a camera's matrix compared with it always counts as changed. */
 const NOWHERE = Array.from({ length: 16 }, () => 0) as Parameters<Matrix4['set']>;
 
 const turn = new Quaternion();
@@ -59,7 +59,7 @@ export class CameraFlight {
     this.problemOf = '';
   }
 
-  /** Why the camera cannot be moved, in a sentence with the remedy; null when it can, or there is none. */
+  /** Why the camera cannot be moved, in a sentence with the remedy; null when it can, or when no camera is moved. */
   get problem(): string | null {
     const { flown, document } = this;
     if (!flown?.isAttached) return null;
@@ -91,7 +91,7 @@ export class CameraFlight {
     if (hasMoved && this.problem === null) {
       const command = this.command(flown);
       if (this.isHeld || this.gesture?.isOpen) {
-        // another edit has ended the gesture: further movement becomes a new step
+        // another edit has ended the gesture: further movement becomes another step of history
         if (!this.gesture?.isOpen) this.gesture = document.commands.begin();
         this.gesture.preview(command);
       } else this.runStep(command);
@@ -124,7 +124,7 @@ export class CameraFlight {
     return new SetFields(t('Fly {name}', { name: camera.gameObject.name }), edits);
   }
 
-  /** Runs a step for movement without a clear end (wheel, keys), merging it into the last step if that is recent. */
+  /** Runs a command as a step of history, for movement without a clear end (wheel, keys); a recent step is amended. */
   private runStep(command: Command): void {
     const { commands } = this.document;
     const now = performance.now();

@@ -29,7 +29,7 @@ export class CameraPreview {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
   private readonly viewport = new Vector4();
-  /** Key of the last render, see `render`. */
+  /** Key of the last rendered image, see `render`. */
   private drawnOf = '';
 
   /** @param redraw - called when the inset must be rendered again */

@@ -2,7 +2,7 @@ import { watchPixelRatio } from '@farol/engine';
 
 /** Keeps a canvas as large as its parent element. */
 export class CanvasPlace {
-  /** Width (CSS pixels), at least 1. */
+  /** Width of the canvas (CSS pixels), at least 1; `height` likewise. */
   width = 1;
   height = 1;
 

@@ -15,18 +15,18 @@ import { OrthographicTwin } from './OrthographicTwin';
 import type { PointerControls } from './PointerControls';
 import type { ViewPose } from './ViewPose';
 
-/** Range of the orbit distance (m). */
+/** Smallest and largest distance from the eye to the orbit target (m). */
 export const NEAREST = 0.05;
 export const FARTHEST = 2000;
 
-/** Orbit distance (m) when the view hits nothing, not even the ground; and the largest distance taken from a hit. */
+/** Orbit distance (m) when the view hits nothing, not even the ground; below, the largest distance taken from a hit. */
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
 
 /** Aspect ratio from which a view counts as wide. */
 const WIDE = 16 / 9;
 
-/** Rotation (rad) below which an axis-aligned view stays one. */
+/** Rotation (rad) below which an axis-aligned view stays axis-aligned. */
 const SIDE_REACH = 1e-3;
 
 const eye = new Vector3();
@@ -35,14 +35,14 @@ const offset = new Vector3();
 const calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 /**
- * The editor's own camera. PointerControls move a perspective camera; its orthographic twin renders views without
- * perspective, matching it at the distance of the target. Without controls it does not glide.
+ * The editor's own camera. PointerControls move a perspective camera; an orthographic camera of the same view, which
+ * matches it at the distance of the target, renders without perspective. Without controls the camera does not glide.
  */
 export class EditorCamera {
   readonly perspective = new PerspectiveCamera(50, 1, 0.05, 1000);
 
   private controls: PointerControls | null = null;
-  /** Pose of the perspective camera as long as there are no controls (world). */
+  /** Eye of the perspective camera (world) as long as there are no controls; `aim` is its orbit target. */
   private readonly eye = new Vector3(0, 0, DEFAULT_DISTANCE);
   private readonly aim = new Vector3();
   private readonly flat = new OrthographicTwin();
@@ -232,7 +232,7 @@ export class EditorCamera {
   /**
    * Views the target from another direction.
    * @param direction - from the target to the camera, in the world
-   * @param flat - orthographic; a perspective view returns when the user orbits
+   * @param flat - whether the view is orthographic until the user orbits
    */
   lookFrom(direction: Vector3, flat = false): void {
     const { x, y, z } = this.target;
@@ -246,7 +246,7 @@ export class EditorCamera {
     if (!this.glides) this.settle();
   }
 
-  /** Orbits the target. @param azimuth - to the right (rad) @param polar - downwards (rad) */
+  /** Moves the camera around the target. @param azimuth - to the right (rad) @param polar - downwards (rad) */
   orbit(azimuth: number, polar: number): void {
     if (this.orbiter) return void this.orbiter.rotate(azimuth, polar, true);
     const { phi, theta } = this.angles();
@@ -254,7 +254,7 @@ export class EditorCamera {
     this.settle();
   }
 
-  /** Registers the pointer listeners again, behind the canvas's current ones. */
+  /** Registers the pointer listeners again, so that they run after the canvas's other listeners. */
   listenLast(): void {
     this.controls?.listenLast();
   }
@@ -300,7 +300,7 @@ export class EditorCamera {
     if (this.isFlat) this.flat.follow(this.perspective, this.distance);
   }
 
-  /** Rotates to angles by the shorter way round. */
+  /** Rotates the camera around the target to these angles, by the shorter way round. */
   private turnTo({ theta, phi }: Spherical): void {
     const { orbiter } = this;
     if (!orbiter) return void this.eye.setFromSphericalCoords(this.distance, phi, theta).add(this.aim);

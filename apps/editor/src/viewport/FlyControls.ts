@@ -4,7 +4,7 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 /** Rotation per pixel of pointer movement (rad). */
 const TURN = 0.0035;
 
-/** Speed in orthographic views: share of the orbit distance per second, for each m/s. */
+/** Speed in orthographic views: share of the orbit distance per second, for each m/s of `speed`. */
 const FLAT_PART = 0.08;
 
 /** Largest pitch above or below the horizon (rad). */
@@ -38,7 +38,7 @@ export class FlyControls {
   /** Speed of flight (m/s). */
   speed = 6;
 
-  /** Whether keys or the wheel were used since the button was last pressed. */
+  /** Whether keys or the wheel were used since the right button was last pressed. */
   flew = false;
   private readonly listening = new AbortController();
   private pointer: number | null = null;

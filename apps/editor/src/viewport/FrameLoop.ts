@@ -1,4 +1,4 @@
-/** Work of a loop, in each animation frame. */
+/** Work that a FrameLoop does in each animation frame. */
 export interface FrameWork {
   /** Advances time. @param seconds - since the last animation frame; 0 at first @returns whether to draw a frame */
   advance(seconds: number): boolean;

@@ -1,13 +1,13 @@
 import type { FarolInfo } from '@farol/renderer';
 
-/** Times of one pass over the last frames (ms), as ring buffers; -1 where it did not run or was not measured. */
+/** Times (ms) of one render pass in the last frames, as ring buffers; -1 where it did not run or was not measured. */
 export interface PassTimes {
   readonly name: string;
   readonly cpu: Float32Array;
   readonly gpu: Float32Array;
 }
 
-/** Times of every pass over the last frames. Allocates only when a new pass appears. */
+/** Times of every render pass in the last frames. Allocates only when a new pass appears. */
 export class FrameRecorder {
   /** Number of frames recorded; the last one is at `(frames - 1) % length` of the rings. */
   frames = 0;
@@ -46,7 +46,7 @@ export class FrameRecorder {
     }
   }
 
-  /** Longest kept frame (ms), as the sum of its passes. */
+  /** Duration (ms) of the longest kept frame, as the sum of its passes. */
   longest(kind: 'cpu' | 'gpu'): number {
     let longest = 0;
     for (let i = 0; i < this.length; i++) {

@@ -82,7 +82,7 @@ export class Gizmo {
     this.three.add(this.proxy);
     window.addEventListener('keydown', this.keyChanged, true);
     window.addEventListener('keyup', this.keyChanged, true);
-    // at once, not with the next frame: handles of deselected objects must not be clicked
+    // handles are detached at once, not with the next frame, so that those of deselected objects cannot be clicked
     this.endSelection = document.selection.changed.subscribe(() => this.detach());
   }
 
@@ -204,7 +204,7 @@ export class Gizmo {
     ]);
     if (this.isDisposed) return;
     this.Drag = Drag;
-    // created first, so that its listeners run before those of the handles
+    // DragAssist is created first, so that its listeners run before those of the handles
     this.assist = new DragAssist(
       this.canvas,
       () => this.controls?.pointerMove(null),
@@ -272,7 +272,7 @@ export class Gizmo {
 
   private begin(): void {
     const objects = this.targets();
-    if (objects.length === 0) return; // objects may have been locked since the last frame
+    if (objects.length === 0) return; // objects may have been locked since the last frame, so that none is left to move
     this.placeProxy(objects);
     this.gesture = this.document.commands.begin();
     this.poseDrag = new this.Drag!(this.document, objects, this.proxy);

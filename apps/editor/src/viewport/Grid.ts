@@ -35,7 +35,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
         depthWrite: false,
         toneMapped: false,
         side: 2,
-        // drawn above a floor at height 0, to avoid z-fighting
+        // the offset draws the grid in front of a floor at height 0, to avoid z-fighting
         polygonOffset: true,
         polygonOffsetFactor: -1,
         polygonOffsetUnits: -8,
@@ -57,7 +57,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
       if (Math.abs(front.z) > 0.9999) v = Y;
       else if (Math.abs(front.x) > 0.9999) u = Y;
       step.value = 10 ** Math.ceil(Math.log10(height * FINEST));
-      // intersection of the view's centre with the plane
+      // distance from the view's centre to the grid's plane, along the view direction
       const along = v === Y || u === Y ? 0 : Math.abs(front.y) > 0.01 ? -middle.value.y / front.y : 0;
       middle.value.addScaledVector(front, along);
       extent.value = (2 * Math.hypot(width, height)) / Math.max(0.1, v === Y || u === Y ? 1 : Math.abs(front.y));
@@ -69,7 +69,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
     behind.value = isWall ? 1 : 0;
     axisU.value.copy(u);
     axisV.value.copy(v);
-    // the plane goes through the origin, from which distances are measured
+    // the plane goes through the origin; `middle`, from which the grid fades, must lie in the plane
     if (isWall) middle.value.addScaledVector(front, -middle.value.dot(front));
   }
 

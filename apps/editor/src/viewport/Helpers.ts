@@ -23,7 +23,7 @@ export class Helpers {
   private readonly lines: LatePart<SelectionLines>;
 
   /**
-   * @param stamps - counts of changes, by which unchanged icons are kept
+   * @param stamps - counts of the scene's changes, by which needless updates of the icons are skipped
    * @param redraw - called when the picture must be drawn again
    * @param failed - called when the code of the selection's lines cannot be fetched
    */

@@ -28,13 +28,13 @@ const physicsTypes = ['Collider', 'Joint', 'CharacterController'];
 
 /** The parts of the viewport that most scenes, or the first frame, do not need. */
 export class LateParts {
-  /** Lines and handles of colliders and joints, once a scene has any. */
+  /** Lines and handles of colliders and joints, fetched once a scene has colliders or joints. */
   readonly physics: LatePart<PhysicsOverlay>;
-  /** Handles that resize area lights, once one is selected. */
+  /** Handles that resize area lights, fetched once an area light is selected. */
   readonly lightHandles: LatePart<HandlePoints>;
-  /** Selected emitters, which play while the scene is stopped, once a scene has any. */
+  /** Plays selected particle emitters while the scene is stopped; fetched once a scene has an emitter. */
   readonly particles: LatePart<ParticlePreview>;
-  /** The inset with the selected camera's view, once one is selected. */
+  /** The inset with the selected camera's view, fetched once a camera is selected. */
   readonly preview: LatePart<CameraPreview>;
 
   private ball: MaterialBall | null = null;

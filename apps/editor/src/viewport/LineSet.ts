@@ -14,7 +14,7 @@ import {
 const a = new Vector3();
 const b = new Vector3();
 
-/** Pairs of box corners joined by an edge; a corner's bits select x, y, z. */
+/** Indices of box corners in pairs joined by an edge; bits 0, 1, 2 of an index choose the larger x, y, z. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7] as const;
 
 /** Lines that are rebuilt each frame: opaque where visible, faint where hidden by geometry. */

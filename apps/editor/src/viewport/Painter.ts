@@ -2,7 +2,7 @@ import type { Camera, Scene } from 'three';
 
 /** Replaces the viewport's normal rendering: several debug views, or two techniques side by side. */
 export interface Painter {
-  /** Whether grid, icons and handles are drawn on top. */
+  /** Whether grid, icons and handles are drawn over the painter's picture. */
   readonly drawsHelpers: boolean;
   /** Whether the painter shows many images in a grid; overlays such as the camera inset are then hidden. */
   readonly isGrid: boolean;

@@ -56,7 +56,7 @@ export class PictureCamera {
     this.editorCamera.allowed = this.steers;
   }
 
-  /** Whether the controls can change the view: always with the editor's camera, else if the scene's can move. */
+  /** Whether the controls can change the view: true for the editor's camera; a scene's camera must be movable. */
   get steers(): boolean {
     return this.through === null || (this.flight.part !== null && this.problem === null);
   }
@@ -93,7 +93,7 @@ export class PictureCamera {
     return hasMoved;
   }
 
-  /** The selected camera, unless its view is shown; null when none is selected. */
+  /** The selected camera; null when none is selected, or when the viewport shows its view already. */
   get selected(): CameraComponent | null {
     const camera = this.document.selectedObjects.at(-1)?.getComponent(CameraComponent) ?? null;
     return camera === this.through ? null : camera;
@@ -125,7 +125,7 @@ export class PictureCamera {
     const { position, quaternion } = perspective;
     const fov = perspective.fov * MathUtils.DEG2RAD;
     if (!orthographic) return { position, quaternion, fov, size: null, far: 0 };
-    // far enough back that the whole scene is in front
+    // the eye is moved back until the whole scene is in front of it
     const sphere = boundsOf(this.document.scene.roots).getBoundingSphere(new Sphere());
     const back = sphere.isEmpty() ? 0 : sphere.center.distanceTo(target) + sphere.radius + 1;
     const distance = Math.max(position.distanceTo(target), back);

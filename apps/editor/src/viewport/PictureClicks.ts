@@ -4,7 +4,7 @@ import type { Viewport } from './Viewport';
 /** Movement (CSS pixels) that makes a press a drag of the camera, not a click. */
 const CLICK_REACH = 4;
 
-/** Clicks on the picture for a tool, in place of selecting; drags still move the camera. */
+/** Reports clicks on the picture to a tool, in place of selecting objects; drags still move the camera. */
 export class PictureClicks {
   private readonly from = new Vector2();
   private pointer: number | null = null;

@@ -15,7 +15,7 @@ export class PlayView {
   private camera: CameraComponent | null = null;
   private readonly end: () => void;
 
-  /** Whether the scene is shown as to its players: while it plays, through the camera that it was started with. */
+  /** Whether the scene is shown as its players see it: while it plays, through the camera that it was started with. */
   get isOn(): boolean {
     const { document, view, camera } = this;
     return camera !== null && view.lookThrough === camera && document.simulation.isPlaying;

@@ -19,7 +19,7 @@ CameraControls.install({
 });
 const { ACTION } = CameraControls;
 
-/** Movement for each key while the canvas has focus: angles (rad); with Shift, + and - shares of the orbit distance. */
+/** Movement per key press while the canvas has focus: angles (rad), or shares of the distance to the target. */
 const nudges: Readonly<
   Record<string, { azimuth?: number; polar?: number; right?: number; up?: number; closer?: number }>
 > = {
@@ -76,7 +76,7 @@ export class PointerControls {
     this.orbit.touches.one = orbits ? ACTION.TOUCH_ROTATE : ACTION.NONE;
   }
 
-  /** Registers the pointer listeners again, behind the canvas's current ones. */
+  /** Registers the pointer listeners again, so that they run after the canvas's other listeners. */
   listenLast(): void {
     this.orbit.disconnect();
     this.orbit.connect(this.canvas);

@@ -16,7 +16,7 @@ const isLightAlone = (change: SceneChange): boolean =>
  * orbiting view, or a dimmed light, moves no object.
  */
 export class SceneStamps {
-  /** Grows with every change unless it is known to leave all objects in place: one may be moved, added or removed. */
+  /** Grows with every change that may move, add or remove an object. */
   places = 0;
   /** Grows when icons may look different though no object has moved. */
   icons = 0;

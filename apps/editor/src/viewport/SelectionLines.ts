@@ -19,7 +19,7 @@ export class SelectionLines {
   private outlineKey = '';
   private rangesKey = 'none';
 
-  /** @param helpers - drawn over the picture after `render` */
+  /** @param helpers - scene that is drawn over the picture after `render` */
   constructor(
     private readonly document: EditorDocument,
     private readonly helpers: Scene,

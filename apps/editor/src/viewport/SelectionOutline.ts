@@ -36,7 +36,7 @@ const viewport = new Vector4();
 interface Stand {
   readonly mesh: Mesh;
   readonly world: Matrix4;
-  /** The scene's mesh; null for one of many instances. */
+  /** The scene's mesh; null when this is a copy of one instance among many. */
   readonly source: Mesh | null;
 }
 
@@ -72,7 +72,7 @@ export class SelectionOutline {
         mask: { value: this.target.texture },
         texel: { value: new Vector2() },
         radius: { value: WIDTH },
-        // not converted to linear: the frame is already sRGB-encoded
+        // the colour is not converted to linear, since the frame is already sRGB-encoded
         colour: { value: new Color().setStyle(colour, '') },
       },
       transparent: true,
@@ -101,7 +101,7 @@ export class SelectionOutline {
     }
     webgl.getDrawingBufferSize(size);
     this.target.setSize(size.x, size.y);
-    // the GL viewport may be a part of the canvas
+    // the outline is drawn over the GL viewport, which may be a part of the canvas
     webgl.getCurrentViewport(viewport);
     this.edge.uniforms.texel.value.set(1 / viewport.z, 1 / viewport.w);
     this.edge.uniforms.radius.value = WIDTH * webgl.getPixelRatio();

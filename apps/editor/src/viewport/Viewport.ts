@@ -59,7 +59,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
-  /** Renders the scene with `farol` and the effects of its settings. */
+  /** Renders the scene with `farol` and the effects of the scene's settings. */
   readonly picture: PictureRenderer;
   /** Sends pointer and keys to a playing scene. */
   readonly input: SceneInput;
@@ -155,7 +155,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.isPlayed ? null : this.pictureCamera.selected;
   }
 
-  /** Whether the scene is shown as to its players: without grid, icons, handles and insets. */
+  /** Whether the scene is shown as its players see it: without grid, icons, handles and insets. */
   get isPlayed(): boolean {
     return this.playView.isOn;
   }

@@ -17,7 +17,7 @@ const held = {
   farol: ['view'],
 } as const;
 
-/** Settings of the viewport and its handles; each change emits. */
+/** Settings of the viewport and its handles; each change emits `changed`. */
 export abstract class ViewportSettings {
   /** Emits when one of the settings, or the view, changes. */
   readonly changed = new Signal();
@@ -33,7 +33,7 @@ export abstract class ViewportSettings {
   declare mode: GizmoMode;
   declare space: GizmoSpace;
   declare snapping: boolean;
-  /** Target of drags while snapping. */
+  /** What drags snap to while snapping is on. */
   declare snapTo: SnapTarget;
   /** Whether objects dropped on a surface are rotated so that their y axis is the surface normal. */
   declare alignsToSurface: boolean;
@@ -75,7 +75,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Sets the number of lights, or draws, per pixel at which heat maps are hottest. */
+  /** Sets the number per pixel, of lights or of surfaces drawn, at which heat maps have their hottest colour. */
   setHeatMapMaximum(maximum: number): void {
     this.farol.heatMapMaximum = maximum;
     this.changed.emit();

@@ -24,7 +24,7 @@ function drawSphere(lines: LineSet, radius: number, segments = 64): void {
   lines.circle(centre, z, x, segments);
 }
 
-/** Adds the spheres of a sound's full volume and of its end of audibility. */
+/** Adds the sphere within which a sound has its full volume and, if it ends at a distance, the sphere of its range. */
 function drawSound(lines: LineSet, source: AudioSource): void {
   if (!source.positional) return;
   centre.setFromMatrixPosition(source.gameObject.object3D.matrixWorld);
@@ -112,7 +112,7 @@ function drawLight(lines: LineSet, light: Light, segments = 64): void {
   }
 }
 
-/** Adds the frustum of a camera, shortened to a small size. */
+/** Adds the frustum of a camera; that of a perspective camera is drawn only up to a short distance. */
 function drawCamera(lines: LineSet, camera: Camera): void {
   const { three } = camera;
   three.updateWorldMatrix(true, false);

@@ -1,4 +1,4 @@
-// Grid lines at a step and at ten steps, one pixel wide, fading with distance; the axes are coloured.
+// Grid lines at the spacing `step` and at ten times that, one pixel wide, fading with distance; the axes are coloured.
 uniform float extent;
 uniform float step;
 uniform vec3 middle;

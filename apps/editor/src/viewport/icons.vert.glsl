@@ -12,7 +12,7 @@ void main() {
   vKind = kind;
   vSelected = selected;
   vec4 positionVS = modelViewMatrix * vec4(position, 1.0);
-  // moved 0.3 m towards the camera, so that the mesh of a lamp does not hide its icon
+  // the icon is moved 0.3 m towards the camera, so that the mesh of a lamp does not hide it
   if (isOrthographic) positionVS.z += 0.3;
   else positionVS.xyz *= max(0.5, 1.0 - 0.3 / length(positionVS.xyz));
   gl_Position = projectionMatrix * positionVS;

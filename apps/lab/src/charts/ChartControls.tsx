@@ -16,7 +16,7 @@ interface Props {
   onChange: (settings: ChartSettings) => void;
 }
 
-/** Settings of all charts as controls (metric, axis scale, hidden competitors), and a legend of the runs' lines. */
+/** Settings of all charts: metric, axes and competitors; and a legend of the line style of each run. */
 export function ChartControls({ runs, names, competitors, settings, onChange }: Props) {
   const { metric, scale, hidden } = settings;
   const toggle = (name: string): void => {

@@ -83,7 +83,7 @@ function ChartDrawing({ chart }: { chart: ChartSpec }) {
     canvas.current!.innerHTML = `<svg width="${width}" height="${height}" ${style} aria-hidden="true">${svg}</svg>`;
     points.current = drawn.points;
     host.current!.dataset.drawn = '';
-    // the chosen point may have moved in the new drawing
+    // the note moves to the chosen point's place in the new drawing, or disappears with the point
     setCurrent((old) => {
       const same = drawn.points.find(({ group, order }) => group === old?.point.group && order === old.point.order);
       return old && same ? { ...old, point: same } : null;

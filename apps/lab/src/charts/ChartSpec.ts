@@ -41,7 +41,7 @@ export interface DrawnChart {
 }
 
 export interface DrawOptions {
-  /** Width of the drawing (CSS pixels), 240 at least. */
+  /** Width of the drawing in CSS pixels, 240 at least. */
   readonly width: number;
   readonly paint: ChartPaint;
 }

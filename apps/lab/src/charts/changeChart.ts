@@ -10,7 +10,7 @@ import { type ChartRow, drawRows, type RowBar } from './drawRows';
 
 const kinds = ['First frame', 'Ten lights more', 'Technique changed'] as const;
 
-/** Times of the first frame and of frames after changes in a case, three bars per competitor; null if not measured. */
+/** Times of the first frame and of frames after changes in one case, three bars per competitor; null without any. */
 export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes'): ChartSpec | null {
   const cases = casesOf(run).flatMap(({ series, index, label }) => {
     const rows = run.rows.filter((row) => row.series === series.name && row.index === index && hasChange(row));

@@ -7,7 +7,7 @@ import { tag, textTag, textWidth, wrapText } from './svg';
 export interface ChartFileOptions {
   /** Width in pixels, 320 at least; 960 by default. */
   readonly width?: number;
-  /** Default: light. */
+  /** Theme of the file; light by default. */
   readonly theme?: 'light' | 'dark';
   /** Origin of the measurements (device, browser, date), written in small type at the end of the file. */
   readonly source?: string;

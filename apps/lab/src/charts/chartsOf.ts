@@ -11,7 +11,7 @@ import { ratioChart } from './ratioChart';
 import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
-/** Functions that make the charts of one run; `ending` makes the charts' keys unique when there are several runs. */
+/** Kinds of charts that show a single run; `ending`, the end of a chart's key, differs between several runs. */
 const kinds: readonly ((
   run: LabRun,
   settings: ChartSettings,

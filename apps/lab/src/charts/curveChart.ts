@@ -14,7 +14,7 @@ import { drawRanking } from './drawRanking';
 import { runNames } from './runNames';
 import { textTag } from './svg';
 
-/** Times of every competitor along a series. */
+/** Chart of the times of every competitor along a series. */
 export function curveChart(runs: readonly LabRun[], series: LabSeries, settings: ChartSettings): ChartSpec {
   const { metric } = settings;
   const names = runNames(runs);
@@ -85,7 +85,7 @@ function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): st
 
 /** Size of the pictures, as `1280 × 720`; empty if the series has several sizes. */
 function sizeText(cases: readonly LabCase[]): string {
-  // no-break spaces, so that a line does not end within a size
+  // the sizes have no-break spaces, so that a line does not end within a size
   const sizes = new Set(cases.map(({ width, height }) => `${width}\u00a0×\u00a0${height}`));
   return sizes.size === 1 ? [...sizes][0] : '';
 }

@@ -7,7 +7,7 @@ import type { MapCell, WinnerMap } from './winnerMap';
 
 const TOP = 40;
 
-/** Draws the fastest competitor of each case as a cell in its colour; a strip below shows competitors that tie. */
+/** Draws the fastest competitor of each case: a cell in its colour, with a strip below for those that tie with it. */
 export function drawMap(map: WinnerMap, { width, paint }: DrawOptions): DrawnChart {
   // columns are drawn as rows if there are many and the screen is narrow
   const isTurned = map.columns.length > map.rows.length && (width - 120) / map.columns.length < 64;
@@ -18,7 +18,7 @@ export function drawMap(map: WinnerMap, { width, paint }: DrawOptions): DrawnCha
   const cellWidth = Math.min(170, (width - marginLeft - 4) / columns.length);
   const inner = cellWidth - 3;
   const cells = map.cells.flatMap(({ winners, ...cell }) => (winners === null ? [] : [{ ...cell, winners }]));
-  // the name in a cell is wrapped to two lines at most; all cells are as high as the name with most lines needs
+  // names have two lines if any name is too long for one line
   const names = cells.map(({ winners }) =>
     wrapText(competitorWord(winners.best.competitor), inner - 4, 11).slice(0, 2),
   );

@@ -12,7 +12,7 @@ import { formatNumber } from '../words/format';
 export interface MapCell {
   readonly row: number;
   readonly column: number;
-  /** Scene of the case, and its value along the axis. */
+  /** Scene and value along the axis, as text. */
   readonly label: string;
   readonly winners: Winners | null;
 }

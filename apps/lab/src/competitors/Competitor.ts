@@ -50,7 +50,7 @@ export interface RefusableScene {
 
 /** A renderer or technique that draws cases. */
 export interface Competitor {
-  /** Key of the competitor, which files and links contain too. */
+  /** Key of the competitor, also in files and links. */
   readonly name: string;
   readonly label: string;
   /** Explanation of the competitor, one sentence. */

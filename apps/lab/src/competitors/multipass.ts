@@ -93,7 +93,7 @@ class AddedLights {
       const { material } = object as Mesh;
       if (!material) continue;
       const copy = object.clone(false) as Mesh;
-      // the original's matrix is shared, so that the copy moves with it
+      // the copy has the original's matrix itself, so that it moves with the original
       copy.matrix = object.matrix;
       copy.matrixWorld = object.matrixWorld;
       if (object instanceof InstancedMesh) (copy as InstancedMesh).instanceMatrix = object.instanceMatrix;

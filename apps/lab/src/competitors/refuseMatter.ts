@@ -31,7 +31,7 @@ export function pointsAlone(who: string): Readonly<Partial<Record<LightKind, str
   );
 }
 
-/** Why an engine whose materials are converted from three's cannot draw Gouraud shading. */
+/** Reason why an engine whose materials are converted from three's cannot draw Gouraud shading. */
 export const noGouraud = (who: string): Lacking['shadings'] => ({
   gouraud: `The Lab has no ${shadings.gouraud.word} for ${who}.`,
 });

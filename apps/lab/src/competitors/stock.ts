@@ -6,13 +6,13 @@ import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
 import { smallFirstFrame } from './smallFirstFrame';
 
-/** Number of uniform vectors used by a point light (LIGHT), a spot light (SPOT), a point light's shadow (SHADOW). */
+/** Numbers of uniform vectors that a shader uses for a point light, a spot light and a point light's shadow. */
 const LIGHT = 2;
 const SPOT = 4;
 const SHADOW = 3;
-/** Number of uniform vectors that a material uses besides the lights. */
+/** Number of uniform vectors that a shader uses for everything but lights. */
 const OTHERS = 16;
-/** From this number of lights on, compiling may hang the page: it runs in parallel, or else its time is forecast. */
+/** Number of lights from which compiling may hang the page: it runs in parallel, or its time is forecast. */
 const MANY = 64;
 /** Time between two polls of the compilation (ms). */
 const POLL = 4;
@@ -63,7 +63,7 @@ export const stock: Competitor = {
 /** The constant COMPLETION_STATUS_KHR. */
 const IS_COMPLETE = 0x91b1;
 
-/** Records the programs that a context links. @returns a function: whether all are linked, without waiting */
+/** Records the programs that a context links. @returns a function: whether all programs are linked; never waits */
 function watchLinks(gl: WebGL2RenderingContext): () => boolean {
   const programs: WebGLProgram[] = [];
   gl.linkProgram = (program) => {

@@ -59,7 +59,7 @@ export const threeWebGPU: Competitor = {
     let problem = '';
     const tell = ({ message }: { message: string }): void => void (problem ||= message.split('\n')[0].slice(0, 200));
     Object.assign(renderer, { onError: tell, onDeviceLost: tell });
-    // reported by `check`, not on the console
+    // errors are reported by `check`, not on the console
     device.addEventListener('uncapturederror', (event) => event.preventDefault());
     saltShaderModules(device);
     const { limit, dropped } = clustersOf(scene, device.limits.maxStorageBufferBindingSize);
@@ -92,7 +92,7 @@ function clustersOf(scene: StageScene, memory: number): { limit: number; dropped
   camera.updateMatrixWorld();
   for (const light of [...scene.lights, ...scene.still]) {
     if (!(light instanceof PointLight || light instanceof SpotLight)) continue;
-    // an upper bound: the sphere around a spot light's cone
+    // the sphere around a spot light's cone is an upper bound
     reaches.push({ centre: light.position, radius: light.distance || Infinity });
   }
   const clusters = Math.ceil(width / TILE) * Math.ceil(height / TILE) * SLICES;
@@ -103,7 +103,7 @@ function clustersOf(scene: StageScene, memory: number): { limit: number; dropped
   return { limit, dropped: fullest > limit ? clusterFill(reaches, camera, grid, limit).dropped : 0 };
 }
 
-/** Keeps pipelines from the browser's cache, like `saltShaders` for WebGL. */
+/** Prevents that pipelines come from the browser's cache, like `saltShaders` for WebGL. */
 function saltShaderModules(device: Device): void {
   const salt = `\n// ${Math.random().toString(36).slice(2)}\n`;
   const create = device.createShaderModule;

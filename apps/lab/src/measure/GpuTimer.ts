@@ -30,7 +30,7 @@ export class GpuTimer {
   async time(count: number, frame: () => void): Promise<number[]> {
     const { gl, extension, queries } = this;
     while (queries.length < count) queries.push(gl.createQuery() as WebGLQuery);
-    gl.getParameter(extension.GPU_DISJOINT_EXT); // reading the flag clears it
+    gl.getParameter(extension.GPU_DISJOINT_EXT); // the flag is read to clear it
     const begin = performance.now();
     for (let i = 0; i < count; i++) {
       gl.beginQuery(extension.TIME_ELAPSED_EXT, queries[i]);

@@ -1,4 +1,4 @@
-/** Widths to which pictures are reduced for comparison, and for kept runs (pixels); narrower ones are not enlarged. */
+/** Maximum width of pictures that are compared, and of those kept with a run (pixels); none is enlarged. */
 const COMPARED = 320;
 const KEPT = 160;
 
@@ -20,7 +20,7 @@ function reduced(source: HTMLCanvasElement | ImageData, widest: number): CanvasR
   const height = Math.max(1, Math.round((source.height * width) / source.width));
   const context = context2D(width, height);
   context.imageSmoothingQuality = 'high';
-  // ImageData made in an iframe is no instance of this page's ImageData
+  // recognised by `data`, since ImageData of an iframe has another class than this page's ImageData
   context.drawImage('data' in source ? canvasOf(source) : source, 0, 0, width, height);
   return context;
 }

@@ -2,8 +2,8 @@ const salts = new WeakMap<HTMLCanvasElement | OffscreenCanvas, string>();
 let isInstalled = false;
 
 /**
- * Makes the shaders of a canvas's context compile anew: a random comment at their end prevents hits in the browser's
- * program cache from earlier cases or other competitors. A graphics driver may still reuse programs.
+ * Makes the shaders of a canvas's context compile anew: a random comment at the end of their GLSL prevents hits in the
+ * browser's program cache from earlier cases or other competitors. A graphics driver may still reuse programs.
  */
 export function saltShaders(canvas: HTMLCanvasElement): void {
   salts.set(canvas, `\n// ${Math.random().toString(36).slice(2)}\n`);

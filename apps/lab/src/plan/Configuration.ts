@@ -5,7 +5,7 @@ import type { LightKind, Shading } from './lightKinds';
 export interface SeriesChoice {
   /** Key in `sceneWords`. */
   readonly scene: string;
-  /** Objects along a side of the planes; unused by other scenes. */
+  /** Number of planes along a side of their square grid, in the scene of planes; unused by other scenes. */
   readonly n: number;
   readonly axis: Axis;
   /**

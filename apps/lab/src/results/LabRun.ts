@@ -7,7 +7,7 @@ export const LAB_RUN_VERSION = 1;
 export interface Spread {
   /** Median of the turns' medians. */
   median: number;
-  /** 10th and 90th percentile of all samples. */
+  /** 10th percentile of all samples; `high` is the 90th. */
   low: number;
   high: number;
   samples: number;

@@ -72,7 +72,7 @@ export function RunItem(props: RunItemProps) {
 function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(name: string | null): void }) {
   const field = useRef<HTMLInputElement>(null);
   const isOver = useRef(false);
-  // focused in the same frame, so that no key press is lost
+  // the field gets the focus before the next frame, so that no key press is lost
   useLayoutEffect(() => {
     field.current?.focus();
     field.current?.select();

@@ -60,7 +60,7 @@ export class RunStore {
   /** @param name - name of the database */
   constructor(name = 'farol-lab') {
     let opened: UseStore | null = null;
-    // opened on first use: opening throws in a page without storage, which should start nevertheless
+    // the database is opened on first use: opening throws in a page without storage, which should start nevertheless
     this.#store = async (mode, callback) => (opened ??= createStore(name, 'runs'))(mode, callback);
     this.#channel = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel(name);
     this.#channel?.addEventListener('message', () => this.#kept.emit());

@@ -48,13 +48,13 @@ const MOST_LETTERS = 60;
 /** Maximum number of problems listed of one kind; further ones are counted. */
 const MOST_PROBLEMS = 3;
 
-/** Maximum number of series of a run, and of values of one series. */
+/** Maximum number of series of a plan, and of values of a series. */
 const MOST_SERIES = 50;
 const MOST_VALUES = 200;
 
 const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
-/** Adds the first problems of a kind, and a count of the rest. @param others - text of that count, `#` for it */
+/** Adds the first problems of a kind. @param others - text added when more are left out, with `#` for their number */
 function addProblems(problems: string[], all: readonly string[], others: string): void {
   problems.push(...all.slice(0, MOST_PROBLEMS));
   if (all.length > MOST_PROBLEMS) problems.push(`So ${others.replace('#', String(all.length - MOST_PROBLEMS))}.`);
@@ -153,7 +153,7 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     problem = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
   }
   if (problem === null) return [choice];
-  // cut, since messages of a plan quote names in full
+  // the message is cut, since messages of a plan quote names in full
   const reason = problem.length > 400 ? `${problem.slice(0, 400)}…` : problem;
   problems.push(
     `series=${shortened(text)} is left out: ${reason}. A series is scene:axis:values, as in sponza:lights:10,100.`,

@@ -50,7 +50,7 @@ const labCase = fields<LabCase>({
   scene: fields({ name: key, parameters: record(parameter, 50) }),
   lights: orNull(whole(0, 1e7)),
   shadows: whole(0, 1e6),
-  // absent in older runs, as are the next two
+  // this field and the next two are absent in older runs
   lightKind: orMissing(oneOf(...lightKindNames), plainCase.lightKind),
   lightRange: orMissing(orNull(number(0.1, 100, 'm')), plainCase.lightRange),
   shading: orMissing(oneOf(...shadingNames), plainCase.shading),
@@ -100,7 +100,7 @@ const passes = fields<PassTimes>({
 const likeness = fields<Likeness>({
   reference: key,
   psnr: orNull(number(-1000, 1000, 'dB')),
-  // only pictures inside the file: fetching an address would reveal to its host who opens the file
+  // only pictures inside the file are allowed: fetching an address would reveal to its host who opens the file
   thumbnail: textLike(
     /^(data:image\/(webp|png|jpeg);base64,[A-Za-z0-9+/]*={0,2})?$/,
     400_000,
@@ -180,7 +180,7 @@ export function parseRun(source: string): LabRun {
 /**
  * Checks a run that is parsed already, such as one of the store.
  *
- * @throws FormatError
+ * @throws FormatError naming an invalid field
  */
 export function readRun(value: unknown): LabRun {
   checkFormat(value);

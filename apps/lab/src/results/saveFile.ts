@@ -4,6 +4,6 @@ export function saveFile(name: string, content: Blob): void {
   link.download = name;
   link.href = URL.createObjectURL(content);
   link.click();
-  // the browser reads the file after the click
+  // the address is revoked later, since the browser reads the file after the click
   setTimeout(() => URL.revokeObjectURL(link.href), 30_000);
 }

@@ -14,7 +14,7 @@ export function useFileDrop(onFiles: (files: File[]) => void): boolean {
       event.preventDefault();
       setOver(true);
     };
-    // fires for every element that the pointer leaves; without a related target the pointer has left the window
+    // dragleave fires for every element that the pointer leaves; without a related target it left the window itself
     const leave = ({ relatedTarget }: DragEvent): void => void (relatedTarget === null && setOver(false));
     const drop = (event: DragEvent): void => {
       if (!hasFiles(event)) return;

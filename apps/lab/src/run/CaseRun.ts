@@ -23,7 +23,7 @@ export interface CaseWorld {
   /** Rows of the run; the case appends its own. */
   readonly rows: LabRow[];
   readonly forecast: Forecast;
-  /** Length of a turn (ms). */
+  /** Length of a turn, in which one competitor is measured (ms). */
   readonly turn: number;
   readonly signal: AbortSignal;
   readonly now: () => number;
@@ -194,7 +194,7 @@ export class CaseRun {
     const { changes, limit } = plan.effort;
     if (!changes || (limit !== null && index > 0) || this.world.isLate()) return;
     const { lights, lightKind } = this.world.labCase;
-    // another number of particles restarts all of them
+    // no lights are added to particles, since a changed number restarts all particles
     if (lights !== null && lightKind !== 'particles') row.added = await stage.addLights(name);
     row.changed = await stage.changeTechnique(name);
   }
@@ -212,7 +212,7 @@ export class CaseRun {
         stage.close(name);
         return name;
       } catch {
-        // the next candidate is tried
+        // this competitor cannot draw the case: the next candidate is tried
       }
     }
     return null;

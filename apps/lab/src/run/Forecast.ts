@@ -65,7 +65,7 @@ export class Forecast {
     const growth = last.value > 0 ? Math.max(1, value / last.value) : 1;
     const byPower = last.ms * growth ** Math.min(STEEPEST, Math.max(0, slope));
     if (!previous || last.value <= previous.value) return byPower;
-    // limited by the straight line: two short times differ by chance, and a power of their ratio would predict seconds
+    // at most linear growth: two short times differ by chance, and their ratio squared would predict seconds
     const each = Math.max(0, last.ms - previous.ms) / (last.value - previous.value);
     return Math.min(byPower, last.ms + each * Math.max(0, value - last.value));
   }

@@ -1,7 +1,7 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import type { LabRow } from '../results/LabRun';
 
-/** State of a run before each step, such as one turn. The run reuses the object: copy what must be kept. */
+/** State of a run before a step (opening a competitor, or its turn). The object is reused: copy what must be kept. */
 export interface Progress {
   /** Number of finished steps. */
   done: number;

@@ -75,7 +75,7 @@ function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
     };
     const timer = setTimeout(() => failed(`no answer in ${LONGEST_LOAD / 1000} s`), LONGEST_LOAD);
     element.addEventListener('error', () => failed('it cannot be fetched'));
-    // module scripts run before the load event
+    // module scripts run before the load event, so the frame's stage must exist by then
     element.addEventListener('load', () => {
       const stage = stageIn(element);
       if (!stage) return failed('its script did not run');

@@ -21,7 +21,7 @@ const PICTURE_TIME = 1;
 const SETTLING = 1500;
 /** Number of frames whose passes are timed. */
 const TIMED = 9;
-/** Frames before the first times of passes arrive. */
+/** Number of frames drawn before the first times of passes arrive. */
 const BEFORE_TIMES = 12;
 /** Number of lights added for the frame after a change of the lights. */
 const ADDED = 10;
@@ -56,7 +56,7 @@ export class OpenCompetitor {
     scene.setTime(PICTURE_TIME);
     drawing.lightsMoved?.();
     drawing.render();
-    // in the same task, since a WebGPU canvas is empty in the next one
+    // the picture is read in the same task, since a WebGPU canvas is empty in the next one
     const picture = readPicture((await drawing.readPicture?.()) ?? this.canvas);
     await this.finish();
     this.check();
@@ -67,7 +67,7 @@ export class OpenCompetitor {
   /** Measures frames for about `ms` milliseconds. */
   async turn(ms: number): Promise<Turn> {
     const { drawing } = this;
-    // no timer on a software rasteriser, where queries count the work of other threads
+    // a software rasteriser gets no timer, since its timer queries count the work of other threads
     if (this.timer === undefined) {
       this.timer = drawing.gl && !isSoftware(deviceLimits().renderer) ? GpuTimer.of(drawing.gl) : null;
     }

@@ -15,7 +15,7 @@ export interface Opened {
   picture: ImageData;
 }
 
-/** Frame times (ms) that a competitor measured in one of its turns. */
+/** Frame times (ms) of one turn, in which only one competitor is measured. */
 export interface Turn {
   /** Wall times per frame, from batches of frames with one wait each; the cost of the wait is subtracted. */
   frame: number[];
@@ -41,7 +41,7 @@ export interface Stage {
   turn(competitor: string, ms: number): Promise<Turn>;
   /** Counts draws, programs and bytes of one frame; called after the turns. */
   count(competitor: string): Promise<Counts>;
-  /** Times of the passes; null except for Farol. */
+  /** Times of the passes; null for competitors other than Farol's. */
   passes(competitor: string): Promise<PassTimes | null>;
   /** Measures the frame after ten lights were added, and removes them again. */
   addLights(competitor: string): Promise<Change>;

@@ -57,7 +57,7 @@ export class StageScenes {
 
   private templateOf(labCase: LabCase): Promise<StageTemplate> {
     const { scene, lights, width, height } = labCase;
-    // without kind of lights and shading, which are set on the copies
+    // the key is without kind of lights and shading, which are set on the copies of the template
     const key = `${scene.name} ${JSON.stringify([scene.parameters, lights, width, height])}`;
     if (this.last?.key === key) return this.last.template;
     const template = this.makeTemplate(labCase);
@@ -90,7 +90,7 @@ export class StageScenes {
     const { text, fileOf } = await readSceneFile(this.ownFile, () => true);
     // components of plugins are kept as data; nothing is fetched from other addresses
     const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
-    // decodes compressed textures to a format that the device supports
+    // this renderer decodes compressed textures to a format that the device supports
     const renderer = this.makeRenderer();
     try {
       return await deserialize(text, {

@@ -193,7 +193,7 @@ function movingOf<T extends Object3D>(followers: readonly Follower<T>[], { scene
   return followers.filter((_, i) => differs(2 * i) || differs(2 * i + 1));
 }
 
-/** Moves the copy of a light to its original. */
+/** Moves the copy of a light to where the original is. */
 function follow({ source, copy }: Follower<Light>): void {
   copy.position.setFromMatrixPosition(source.matrixWorld);
   const { target } = copy as SpotLight;

@@ -15,7 +15,7 @@ function spot(point: PointLight): SpotLight {
   const { color, intensity, distance, decay } = point;
   const light = new SpotLight(color, intensity, distance, SPOT.angle, SPOT.penumbra, decay);
   light.position.copy(point.position);
-  // a child, so that the target moves with the light
+  // the target is a child of the light, so that it moves with the light
   light.add(light.target);
   light.target.position.set(0, -1, 0);
   return light;

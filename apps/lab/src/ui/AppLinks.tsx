@@ -16,7 +16,7 @@ export function AppLinks() {
   useEffect(() => {
     fetch('./apps.json')
       .then(async (answer) => answer.ok && setAddresses((await answer.json()) as Record<string, string>))
-      .catch(() => {}); // no links without the list
+      .catch(() => {}); // without apps.json no links are shown
   }, []);
   return (
     <div class="bar-choices">

@@ -32,7 +32,7 @@ export function answerOf(run: LabRun): Answer | null {
   return { best: all.name, wins: all.wins, cases: contests.length, few: within(0, FEW), many: within(MANY, Infinity) };
 }
 
-/** Competitor with most wins; of equal ones, the one with the smallest product of ratios to the fastest times. */
+/** Competitor with most wins; among equals, the one whose times exceed the shortest ones by the least in total. */
 function fastestOf(contests: readonly Winners[]): { name: string; wins: number } | null {
   const found = new Map<string, { wins: number; loss: number }>();
   for (const { best, names, entries } of contests) {

@@ -40,7 +40,7 @@ export function formatPercent(share: number): string {
   return `${percent < 0 && text !== '0' ? '−' : ''}${text}%`;
 }
 
-/** `a`, `a and b`, `a, b and c`. */
+/** Items as a list within a sentence: `a`, `a and b`, `a, b and c`. */
 export function listOf(items: readonly string[]): string {
   return items.length < 2
     ? (items[0] ?? '')

@@ -20,7 +20,7 @@ export function competitorHelp(name: string): string {
 }
 
 const inSentences: Readonly<Record<string, string>> = {
-  // without the label's comma, which would separate items in a list
+  // this name is without the label's comma, which would separate items in a list
   'forward-single-pass': 'single-pass forward',
   stock: 'three’s WebGLRenderer',
   multipass: 'naive multipass',

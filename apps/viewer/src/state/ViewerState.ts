@@ -13,7 +13,7 @@ export interface ViewerState {
   parameters: Record<string, FieldValue>;
   /** Key of an anti-aliasing effect of the renderer's `effects`, or 'none'. */
   aa: string;
-  /** Switches and numbers of other effects that differ from the defaults, by their names in `KnownNames.effects`. */
+  /** Non-default switches and numbers of the effects besides anti-aliasing, by their names in `KnownNames.effects`. */
   effects: Record<string, FieldValue>;
   /** Whether the demo's decals are in the scene. */
   decals: boolean;
@@ -41,7 +41,7 @@ export interface KnownNames {
   qualities: readonly string[];
   antialiasing: readonly string[];
   budgets: readonly string[];
-  /** Fields of the switches and numbers of the other effects, by their names in addresses. */
+  /** Fields of the switches and numbers of the effects besides anti-aliasing, by their names in addresses. */
   effects: FieldTable;
   /** State of a URL without parameters. */
   defaults: ViewerState;

@@ -13,7 +13,7 @@ export const antialiasingNames = [
   ...Object.keys(effects).filter((name) => effectEntries[name].group === 'antialiasing'),
 ];
 
-/** Address parameters of the other effects: for each its switch, then its numbers. */
+/** Address parameters of the effects besides anti-aliasing: for each effect its switch, then its numbers. */
 export const effectParameters: Readonly<Record<string, Field>> = Object.fromEntries(
   Object.values(effectEntries)
     .filter((entry) => entry.setting !== undefined)

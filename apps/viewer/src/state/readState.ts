@@ -2,9 +2,9 @@ import { t } from '@farol/editing';
 import type { Field, FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
-/** Limit of particles in an address. */
+/** Greatest number of particles in an address. */
 const MOST_PARTICLES = 200_000;
-/** Limit of rectangle lights in an address. */
+/** Greatest number of rectangle lights in an address. */
 const MOST_RECTANGLES = 20_000;
 
 /** Error for a wrong value of a parameter, with the allowed values. */

@@ -17,7 +17,7 @@ export class Drawing {
   private own: FarolRenderer | null = null;
   private isDisposed = false;
 
-  /** @param given - the page's own FarolRenderer, if it has one; three is then no choice */
+  /** @param given - the page's own FarolRenderer, if it has one; then three's own renderer cannot be chosen */
   constructor(
     private readonly session: Session,
     private readonly hook: RenderHook,

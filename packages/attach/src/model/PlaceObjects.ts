@@ -20,7 +20,7 @@ export class PlaceObjects implements Command<Object3D> {
 
   /**
    * @param kind - whether `do` adds or removes
-   * @param placements - parent and index of each object, with all of the objects in the tree
+   * @param placements - parent and index of each object, counted while all of the objects are in the tree
    */
   constructor(
     readonly label: string,

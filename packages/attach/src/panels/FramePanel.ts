@@ -5,7 +5,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import type { RenderHook } from '../viewport/RenderHook';
 
-/** Panel that selects renderer and view, and shows times and counts of the last frame, for Farol for each pass. */
+/** Panel that selects renderer and view, and shows counts of a frame; with Farol also counts and times of passes. */
 export class FramePanel {
   readonly element: HTMLElement;
   private readonly load = element('button', { type: 'button' }, t('Draw with Farol'));
@@ -100,7 +100,7 @@ export class FramePanel {
     await this.tell(() => this.drawing.choose(drawer));
   }
 
-  /** Changes the renderer, then shows its state, and the error if it failed. */
+  /** Changes the renderer; if that fails, shows the error and the renderer that stays. */
   private async tell(change: () => void | Promise<void>): Promise<void> {
     this.problem.textContent = '';
     try {

@@ -261,8 +261,8 @@ function setText(element: Element, text: string): void {
 }
 
 /**
- * Items of a list from one to another, both included, ordered from the first to the second, since the last item of a
- * selection is the primary one. Null when the list lacks one of the two.
+ * Items of a list from `from` to `to`, both included, and in this order, since the last item of a selection is the
+ * primary one. Null when the list lacks `from` or `to`.
  */
 export function rangeOf<Item>(items: readonly Item[], from: Item | null, to: Item): Item[] | null {
   const [first, last] = [items.findIndex((each) => each === from), items.indexOf(to)];

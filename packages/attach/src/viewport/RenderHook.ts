@@ -3,7 +3,7 @@ import { type Interception, interceptRender } from '@farol/renderer/intercept';
 import { Vector4, type WebGLRenderer } from 'three';
 import type { Session } from '../model/Session';
 
-const IDLE = 500; // milliseconds
+const IDLE = 500; // time without a frame after which the page is idle (ms)
 
 const viewport = new Vector4();
 
@@ -45,7 +45,7 @@ export class RenderHook {
     });
   }
 
-  /** Whether the page has drawn nothing for a while, since it draws on demand. */
+  /** Whether the page has drawn nothing for `IDLE` ms, as a page that draws on demand does. */
   get isIdle(): boolean {
     return performance.now() - this.drawnAt > IDLE;
   }

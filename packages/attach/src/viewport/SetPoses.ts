@@ -46,7 +46,7 @@ export class SetPoses implements Command<Object3D> {
   replaceWith(next: Command<Object3D>): SetPoses | null {
     if (!(next instanceof SetPoses) || next.objects !== this.objects) return null;
     next.before = this.before;
-    // undone first, since the earlier command may have set parts that this one does not
+    // this command is undone first, since it may have set parts of poses that `next` does not set
     this.undo();
     next.do();
     return next;

@@ -13,8 +13,8 @@ interface Dressed {
 }
 
 /**
- * Meshes with lightmaps in place of their own geometries and materials; lights that the lightmaps contain are switched
- * off.
+ * Gives meshes geometries and materials with lightmaps in place of their own, and switches off the lights that the
+ * lightmaps contain.
  */
 export class AppliedBake {
   private readonly dressed: Dressed[];
@@ -23,7 +23,7 @@ export class AppliedBake {
   private applied = false;
 
   /**
-   * @param lights - lights removed while the bake is applied
+   * @param lights - lights that are switched off while the bake is applied
    * @param textures - one per lightmap; owned by the caller
    * @param channel - index of the textures' UV set
    * @param skyOf - see {@link litMaterial}
@@ -83,7 +83,7 @@ export class AppliedBake {
     this.applied = false;
     for (const { baked, geometry, material, before } of this.dressed) {
       const mesh: Mesh = baked.mesh;
-      // keeps a geometry that other code has assigned since
+      // a geometry or material that other code has assigned since `apply` stays
       if (mesh.geometry === geometry) mesh.geometry = before!.geometry;
       if (mesh.material === material) mesh.material = before!.material;
     }

@@ -1,7 +1,7 @@
 import { Material, type MeshStandardMaterial, type Scene, type Texture } from 'three';
 import type { Material as AnyMaterial } from 'three';
 
-/** A material with a lightmap that follows all changes of its source. */
+/** A material that has a lightmap, and follows all changes of the material that it was made from. */
 export interface LitMaterial {
   readonly material: AnyMaterial;
   setLightmap(texture: Texture): void;

@@ -15,7 +15,7 @@ export interface SlicedWork {
 /** Maximum number of slices queued on the GPU: one runs while the completion of another is handled. */
 const IN_FLIGHT = 2;
 
-/** Draws work in slices of a target duration (ms), between which the page may draw frames. */
+/** Draws work in slices of about `milliseconds` each, between which the page may draw frames. */
 export class Slices {
   constructor(
     private readonly renderer: WebGLRenderer,
@@ -58,7 +58,7 @@ export class Slices {
     const most = Math.min(Math.max(1, Math.floor(milliseconds / perRow)), height * batches - from);
     let drawn = 0;
     keepState(this.renderer, () => {
-      // includes the time of submitting, which dominates with a software renderer
+      // also ends by the time spent on submitting draws, which with a software renderer is most of the time
       do {
         const first = (from + drawn) % height;
         const count = Math.min(most - drawn, height - first);

@@ -1,7 +1,6 @@
 /**
- * Replaces `#include "name"` lines by chunks; repeated includes are dropped. @throws Error for an unknown name
- *
- * @throws Error for a name without a text
+ * Replaces lines `#include "name"` by chunks; further includes of the same chunk are dropped.
+ * @throws Error for a name that is not in `chunks`
  */
 export function composeShader(source: string, chunks: Readonly<Record<string, string>>): string {
   const known = new Set<string>();

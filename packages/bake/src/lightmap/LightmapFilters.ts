@@ -47,8 +47,8 @@ export class LightmapFilters {
   }
 
   /**
-   * Ends a stage of direct light: averages, denoises and fills its samples, then adds them to the lightmap, and to the
-   * radiance read by the first gather.
+   * Ends a stage of direct light: averages and denoises its samples, fills texels without light from their neighbours,
+   * then adds the result to the lightmap, and to the radiance that the first gather reads.
    */
   finishDirect(lightmap: number, stage: Stage, isReflected: boolean): void {
     const { renderer } = this;

@@ -37,7 +37,7 @@ export interface LightmapTracerOptions {
   onSlice(share: number, samples: number): void;
 }
 
-/** Cost (in samples) of moving a texel's point out of walls (settle.glsl): eight or more rays, four short ones. */
+/** Cost (in samples) of moving a texel's point out of walls by settle.glsl: 4 short rays and 8 to 24 long ones. */
 const SETTLE_COST = 10;
 /** Time between two previews (ms). */
 const PREVIEW_MILLISECONDS = 250;

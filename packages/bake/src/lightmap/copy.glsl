@@ -1,4 +1,4 @@
-// Copies light: scaled, to a sum, as a picture, or as radiance that a surface reflects
+// Copies light, by defines: scaled, added to a sum, as a picture, or as the radiance that a surface reflects
 // three.js
 uniform highp sampler2D farol_light;
 uniform highp sampler2D farol_albedo;

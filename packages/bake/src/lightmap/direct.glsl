@@ -12,7 +12,7 @@ uniform highp sampler2D farol_agreements;
 uniform int farol_firstSample;
 uniform float farol_offset;
 layout(location = 0) out highp vec4 farol_sum;
-layout(location = 1) out highp vec4 farol_sourceSum; // 0: light of emissive surfaces and sky is only counted in gathers
+layout(location = 1) out highp vec4 farol_sourceSum; // always 0: only gathers count light of emissive surfaces and sky
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -8,7 +8,7 @@
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_texelNormals;
 uniform highp sampler2D farol_faces;
-uniform highp sampler2DArray farol_radiance; // a: luminance of light from sky and emissive surfaces
+uniform highp sampler2DArray farol_radiance; // rgb: radiance; a: luminance of its part from sky and emissive surfaces
 uniform int farol_firstSample;
 uniform float farol_offset;
 #include "emitters"

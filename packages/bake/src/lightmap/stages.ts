@@ -10,7 +10,7 @@ export interface Gather {
   readonly stages: readonly Stage[];
   /** Whether a later gather reflects the gathered light again. */
   readonly isReflected: boolean;
-  /** Part of the gathered light whose reflection probes receive: all, that of sky and emissive surfaces, or none. */
+  /** Part of the gathered light that light probes get once reflected: all, that of sky and emissive surfaces, none. */
   readonly probes: 'all' | 'sources' | 'none';
 }
 

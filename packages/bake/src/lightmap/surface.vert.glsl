@@ -7,7 +7,7 @@ in vec2 lightmapUV;
 in vec2 mapUV;
 in vec2 emissiveUV;
 in vec3 colour;
-uniform vec2 farol_shift; // offset of the drawn tile of the lightmap
+uniform vec2 farol_shift; // offset (lightmap UV) of this draw, of up to a texel: see SHIFTS in Surfaces.ts
 out vec3 farol_position;
 out vec3 farol_normal;
 flat out vec3 farol_face;

@@ -36,8 +36,8 @@ export interface TracedLight {
   readonly kind: 'directional' | 'point' | 'spot' | 'rectangle' | 'disc' | 'tube';
   readonly position: Vector3;
   /**
-   * Unit vector in world space: towards the light (directional), against the cone's axis (spot), or along the light
-   * (area).
+   * Unit vector in world space: towards the light (directional), against the cone's axis (spot), or in the direction in
+   * which the light shines (area).
    */
   readonly direction: Vector3;
   /** Linear colour of the light times its intensity. */

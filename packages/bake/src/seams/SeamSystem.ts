@@ -1,6 +1,6 @@
 /** Samples per texel along a seam. */
 const DENSITY = 2;
-/** Weight of keeping a texel's value, relative to equal values on both sides (1). */
+/** Weight of keeping a texel's value; the weight of equal values on both sides of a seam is 1. */
 const KEEP = 0.02;
 const MOST_ITERATIONS = 60;
 /** Share of the initial squared residual at which the iteration stops. */
@@ -13,10 +13,10 @@ const ENOUGH = 1e-8;
  * @see Iwanicki 2013, Lighting Technology of The Last of Us; Hestenes and Stiefel 1952
  */
 export class SeamSystem {
-  /** Unknown of each texel along a seam, by texel index; -1 for other texels. */
+  /** Index in `texels` of each texel along a seam (an unknown of the system), by texel index; -1 for other texels. */
   private readonly numbers: Int32Array;
   private readonly texels: number[] = [];
-  /** Eight entries per sample: unknowns, and in `weights` their weights, negative for the second side. */
+  /** Eight entries per sample: indices in `texels`; their weights are in `weights`, negative for the second side. */
   private readonly places: number[] = [];
   private readonly weights: number[] = [];
 

@@ -18,7 +18,7 @@ export function findSeams(
   const place = placesOf(positions);
   const places = positions.length / 3;
   const faces = normals ? null : faceNormals(positions, index, sourceVertex);
-  /** First triangle at an edge, by the edge's positions: its corner, its vertices at the lower and higher position. */
+  /** By an edge's two positions: first corner found there, and its vertices at the lower and the higher position. */
   const known = new Map<number, readonly [number, number, number]>();
   const seams: number[] = [];
   const isSame = (a: number, b: number): boolean =>

@@ -5,7 +5,7 @@ import { SeamSystem } from './SeamSystem';
 /** A lightmap whose seams are to be removed. */
 export interface StitchRequest {
   readonly size: number;
-  /** Irradiance, four floats per texel, with the borders of charts filled. */
+  /** Irradiance, four floats per texel; texels around a chart have the light of its border. */
   readonly data: Float32Array;
   /** Meshes of the lightmap, with the surfaces that their charts were cut from. */
   readonly meshes: readonly { readonly surface: SurfaceToUnwrap; readonly unwrapped: UnwrappedMesh }[];

@@ -5,7 +5,7 @@ uniform int farol_emitterCount;
 uniform float farol_emitterPower; // sum of luminance × area over all emissive triangles
 uniform highp sampler2DArray farol_emission;
 
-// probability density by solid angle of choosing a point of a triangle. range: the triangle's
+// probability density (per solid angle) of choosing a point of a triangle. range: index of its range in farol_ranges
 float farol_emitterChance(const in int range, const in float distance, const in float facing) {
   float luminance = farol_table(farol_ranges, 2 * range + 1).z;
   return luminance / farol_emitterPower * distance * distance / max(facing, 1e-6);

@@ -22,7 +22,7 @@ float farol_falloff(const in float distance, const in float range, const in floa
 // unshadowed light of a light at a point with a normal, and its direction
 struct FarolArrival {
   vec3 irradiance;
-  vec3 always; // light that is not shadowed
+  vec3 always; // light that shadows do not reduce
   vec3 path; // vector from the point to a (random) point on the light (m)
   bool isEndless;
 };
@@ -51,10 +51,10 @@ FarolArrival farol_areaArrival(const in int light, const in int kind, const in v
 
 FarolArrival farol_arrival(const in int light, const in vec3 position, const in vec3 normal, const in vec2 u) {
   FarolArrival arrival = FarolArrival(vec3(0.0), vec3(0.0), vec3(0.0), false);
-  vec4 place = farol_table(farol_lights, 9 * light); // position (m) and kind of the light
-  vec4 colour = farol_table(farol_lights, 9 * light + 1); // linear colour × intensity, and range (m)
-  vec4 axis = farol_table(farol_lights, 9 * light + 2); // direction, and decay
-  vec4 cone = farol_table(farol_lights, 9 * light + 3); // cosines of cutoff and penumbra, radius (m), exponent
+  vec4 place = farol_table(farol_lights, 9 * light); // xyz: position (m); w: kind of the light
+  vec4 colour = farol_table(farol_lights, 9 * light + 1); // rgb: linear colour × intensity; a: range (m)
+  vec4 axis = farol_table(farol_lights, 9 * light + 2); // xyz: direction; w: decay
+  vec4 cone = farol_table(farol_lights, 9 * light + 3); // cosines of cutoff, penumbra; radius (m); exponent or -1
   int kind = int(place.w);
   if (kind >= 3) return farol_areaArrival(light, kind, place.xyz, colour.rgb, axis.xyz, position, normal, u);
   if (kind == 0) {
@@ -79,7 +79,7 @@ FarolArrival farol_arrival(const in int light, const in vec3 position, const in 
   else if (law.x == 2.0) attenuation /= max(law.y + distance * (law.z + distance * law.w), 0.01);
   else attenuation *= farol_falloff(distance, colour.w, axis.w);
   arrival.irradiance = attenuation * max(dot(normal, along), 0.0) * colour.rgb;
-  // ambient part of a light of the thesis: unshadowed
+  // the light's `userData.farol.ambient`, which shadows do not reduce
   arrival.always = attenuation * farol_table(farol_lights, 9 * light + 5).rgb;
   arrival.path = toLight;
   if (cone.z > 0.0) arrival.path += cone.z * (farol_basis(along) * vec3(farol_disc(u), 0.0));

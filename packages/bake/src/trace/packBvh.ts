@@ -5,7 +5,7 @@ import { MeshBVH, MeshBVHUniformStruct, SAH } from 'three-mesh-bvh';
 export interface PackedBvh {
   /**
    * Inner nodes of 16 floats, the root first: for each of two children the minimum corner and a reference, the maximum
-   * corner and a count. Count 0: the reference is a node; else it is the first of `count` triangles.
+   * corner and a count. Count 0: the reference is the index of a node; else that of the first of `count` triangles.
    */
   readonly nodes: Float32Array;
   /** Indices of the given triangles in the order of the leaves. */

@@ -43,7 +43,7 @@ uvec2 farol_sobol(const in uint index) {
 
 // which: index of the sample; stream: different for each use within a sample
 vec2 farol_sample2(const in ivec2 texel, const in int which, const in int stream) {
-  // texels of a 16 × 16 tile along a space-filling curve, each with its own range of one sequence
+  // texels of a 16 × 16 tile follow a space-filling curve; each has its own range of one sequence
   uvec2 place = uvec2(texel) & 15u;
   place = (place | place << 2u) & 0x33u;
   place = (place | place << 1u) & 0x55u;

@@ -1,8 +1,8 @@
 // Traverses the bounding volume hierarchy along a ray: finds the nearest triangle, or the share of light that passes
 // Aila and Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs; Möller and Trumbore 1997
 uniform highp sampler2D farol_nodes;
-uniform highp sampler2D farol_triangles; // three texels per triangle: corner and range, edge and index, edge
-uniform highp sampler2D farol_corners; // three texels per triangle: lightmap UVs, map UVs
+uniform highp sampler2D farol_triangles; // three texels per triangle: (corner, range), (edge, index), (edge, 0)
+uniform highp sampler2D farol_corners; // a texel per corner of a triangle: xy: lightmap UV; zw: UV of maps
 uniform highp sampler2D farol_ranges; // table of ranges of triangles, two texels each, see rangesTable
 uniform highp sampler2DArray farol_opacity;
 
@@ -63,7 +63,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
     vec4 rightGreatest = farol_table(farol_nodes, 4 * node + 3);
     float left = farol_boxDistance(leftLeast, leftGreatest, origin, inverse, nearest);
     float right = farol_boxDistance(rightLeast, rightGreatest, origin, inverse, nearest);
-    ivec2 leaf = ivec2(-1, 0); // first triangle and count, of one or both children in turn
+    ivec2 leaf = ivec2(-1, 0); // first triangle and count: of the left child, then of the right one
     ivec2 other = ivec2(-1, 0);
     if (left < 1e30 && leftGreatest.w > 0.0) leaf = ivec2(leftLeast.w, leftGreatest.w);
     if (right < 1e30 && rightGreatest.w > 0.0) other = ivec2(rightLeast.w, rightGreatest.w);
@@ -127,7 +127,7 @@ FarolHit farol_trace(const in vec3 origin, const in vec3 direction, const in flo
   return farol_walk(origin, direction, most, false, through);
 }
 
-// share of a light that passes
+// share of light that the surfaces along a ray let pass
 float farol_transmittance(const in vec3 origin, const in vec3 direction, const in float most) {
   float through;
   farol_walk(origin, direction, most, true, through);

@@ -3,8 +3,8 @@ import type { Footprint } from './footprint';
 /** Occupancy of the texels of a square lightmap. */
 export class TexelGrid {
   /**
-   * For each texel, and an occupied one at each row's end: if free, the number of consecutive free texels from here to
-   * the right; if occupied, minus a lower bound on the number of occupied ones.
+   * One entry per texel, and one more, occupied, at each row's end. A free texel's entry is the number of free texels
+   * in a row from it to the right; an occupied one's is minus a lower bound on the number of occupied texels in a row.
    */
   private readonly free: Int16Array;
   private readonly stride: number;
@@ -37,7 +37,7 @@ export class TexelGrid {
         for (let i = 0; i < touched.length; i += 3) {
           const run = free[(row + touched[i]) * stride + column + touched[i + 1]];
           if (run >= touched[i + 2]) continue;
-          // continues behind the obstacle
+          // the search goes on to the right of the occupied texels
           column += run < 0 ? -run : run + 1;
           continue nextPlace;
         }
@@ -58,7 +58,7 @@ export class TexelGrid {
       const first = Math.max(0, column + padded[i + 1]);
       const end = Math.min(size, column + padded[i + 1] + padded[i + 2]);
       const begin = y * stride;
-      // includes occupied texels further to the right
+      // number of occupied texels in a row, including those directly to the right
       let taken = Math.max(0, -free[begin + end]);
       for (let x = end - 1; x >= first; x--) free[begin + x] = -Math.min(++taken, 0x7fff);
       for (let x = first - 1; x >= 0 && free[begin + x] > 0; x--) free[begin + x] = first - x;

@@ -12,7 +12,7 @@ export interface Packed {
 
 /** Share of a lightmap that charts typically fill when packed, including half of their padding. */
 const NEED = 0.93;
-/** Share of the lightmap's texels above which packing is not tried, since padding would overlap. */
+/** Greatest share of the lightmap that charts with half of their padding may need; with more, packing is not tried. */
 const MOST_NEED = 1.25;
 /** Factor between consecutive densities (texels per metre) in the search for the highest one. */
 const STEP = 1.04;

@@ -44,7 +44,7 @@ export class WorkerPool {
   ): Promise<BakeResults[Kind]> {
     const answer = new Promise<BakeResults[Kind]>((resolve, reject) => {
       const start = (worker: Worker): void => {
-        // removes the listeners, as the worker gets further requests later
+        // aborted to remove the listeners of this request, as the worker gets further requests later
         const answered = new AbortController();
         const { signal } = answered;
         worker.addEventListener(

@@ -30,7 +30,7 @@ export interface FieldCondition {
   readonly and?: FieldCondition;
 }
 
-/** Labels and units of a field for values of another field of the same owner, which is a choice. */
+/** Labels and units of a field by the value of another field of the same owner, which is a choice field. */
 export interface FieldVariants {
   readonly field: string;
   readonly of: Readonly<Record<string, { readonly label?: string; readonly unit?: string }>>;
@@ -48,7 +48,7 @@ interface FieldBase {
   readonly group?: string;
   /** Whether the field only serves older files: visible only while its value is not the default. */
   readonly deprecated?: boolean;
-  /** Name of the field of the same owner of whose value this view edits a part; files store only that field. */
+  /** For a view: name of the field of the same owner of whose value it edits a part; files store only that field. */
   readonly viewOf?: string;
   /** Name of another field of the owner in whose row this one is edited; it has no row of its own. */
   readonly besideField?: string;
@@ -71,7 +71,7 @@ export interface NumberField extends FieldBase {
   /** Step when a number is dragged. */
   readonly step?: number;
   readonly integer?: boolean;
-  /** Factor from the stored to the displayed number, in editors with a unit of their own. */
+  /** Factor from the stored to the displayed number, for editors that display another unit than `unit`. */
   readonly scale?: number;
   /** Special input of editors: a light's intensity with its unit, or a colour temperature. */
   readonly input?: 'intensity' | 'temperature';

@@ -3,8 +3,8 @@ import type { FieldDescription } from './FieldTarget';
 const made = new WeakMap<FieldDescription, Map<string, FieldDescription>>();
 
 /**
- * A copy of a field with the unit that `unitBy` gives for these owners, cached per unit; the field itself without
- * `unitBy`, or when the owners differ.
+ * A copy of a field with the unit that `unitBy` gives for the owners' values, cached per unit; the field itself without
+ * `unitBy`, or when the owners' units differ.
  *
  * @param valuesOf - returns the values of another field, one per owner
  */

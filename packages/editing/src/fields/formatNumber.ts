@@ -7,7 +7,7 @@ export const shownDecimals = { long: 5, short: 3 } as const;
 /** Numbers smaller than this are displayed as 0, as rounding errors. */
 const SMALLEST = 1e-8;
 
-/** Decimals by step: one more than the step has, at least two, and three significant digits of small numbers. */
+/** Greatest number of decimals: one more than `step` has, at least two, and enough for three significant digits. */
 const decimalsBy = (step: number, size: number): number =>
   Math.max(2, Math.ceil(-Math.log10(step)) + 1, size === 0 ? 0 : 2 - Math.floor(Math.log10(size)));
 

@@ -27,7 +27,7 @@ export const colourKeys = (gradient: Gradient): ColourKey[] =>
 export const opacityKeys = (gradient: Gradient): Curve =>
   gradient.flatMap(([time, , opacity]) => (opacity === null ? [] : [[time, opacity] as const]));
 
-/** Joins stops of colour and of opacity, each by ascending time, to a gradient: stops of equal time share a key. */
+/** Joins colour keys and opacity keys, both by ascending time, to a gradient: keys of equal time become one key. */
 export function joinKeys(colours: readonly ColourKey[], opacities: Curve): Gradient {
   const keys: GradientKey[] = [];
   for (let c = 0, o = 0; c < colours.length || o < opacities.length;) {

@@ -53,7 +53,7 @@ export function isAlike(a: Unit, b: Unit): boolean {
   return names.length === Object.keys(b.powers).length && names.every((name) => a.powers[name] === b.powers[name]);
 }
 
-/** Units of a field's numbers: 'm/s', '1/m²', both of 'cd or lx'; the pure number for a field without a unit. */
+/** Units of a field's numbers: one for 'm/s' or '1/m²', two for 'cd or lx'; the pure number for an absent unit. */
 export function unitsOfField(unit: string | undefined): readonly Unit[] {
   if (!unit) return [noUnit];
   return unit.split(' or ').map((alternative) =>

@@ -17,8 +17,8 @@ const distance = (angles: Vector3Tuple, before: Vector3Tuple): number =>
   angles.reduce((sum, angle, i) => sum + Math.abs(angle - before[i]), 0);
 
 /**
- * The Euler angles of a rotation that are nearest to others (rad). Each rotation has many: a turn of 170° about y is
- * (0, 170, 0) and (180, 10, 180) degrees.
+ * The Euler angles (rad) of a rotation that are nearest to given ones. Each rotation has many: a turn of 170° about y
+ * is (0, 170, 0) and (180, 10, 180) degrees.
  * @param before - previous angles, so that a drag does not change angles needlessly
  */
 export function nearestEuler(quaternion: Quaternion, before: Vector3Tuple, order: EulerOrder = 'XYZ'): Vector3Tuple {

@@ -132,7 +132,7 @@ export class FieldChannel implements Channel {
 
   release(): void {
     const { component, field } = this;
-    // fields of a surface's uniforms and of morph targets vanish with the surface or model
+    // the field may be gone: those of a surface's uniforms and of morph targets vanish with surface or model
     if (component.isAttached && Object.hasOwn(component.fields, field))
       component.simulate(field, component.getAuthored(field));
   }

@@ -50,7 +50,7 @@ export class ClipPlayer {
   private fadeSeconds = 0;
   private fadeFrom = 1;
   private fadeTo = 1;
-  /** Clip position (s, unwrapped) up to which events have been called. */
+  /** Clip position (s, unwrapped: it goes on beyond the clip's ends) up to which events have been called. */
   private eventsUntil = 0;
   private withFirst = true;
 

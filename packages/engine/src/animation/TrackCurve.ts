@@ -14,7 +14,7 @@ export function sizeOfField(field: Field): 0 | 1 | 3 {
 
 /** A track as arrays of numbers, for one kind of field. Any number of objects may read it. */
 export class TrackCurve {
-  /** Numbers per value; 0 for values that step. */
+  /** Numbers per value; 0 for values that change in steps, without interpolation. */
   readonly size: 0 | 1 | 3;
   readonly count: number;
   /** Times of the keys (s). */
@@ -82,7 +82,7 @@ export class TrackCurve {
     }
   }
 
-  /** The value of a field that steps. @param index - `indexAt(time)` */
+  /** The value of a field that changes in steps. @param index - `indexAt(time)` */
   stepAt(index: number): FieldValue {
     return this.steps[Math.max(index, 0)];
   }

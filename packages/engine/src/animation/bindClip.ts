@@ -115,7 +115,7 @@ function channelsOfNode(
   for (const each of drawn) {
     const { three } = each;
     const isOwn = each.drawnModel === clip.model;
-    // an object of the node's name is preferred to a node of another model, and poses the root of drawn parts
+    // skips roots of drawn parts, which their object poses, and other models, if an object has the node's name
     if (!isMorph && (isOwn ? each.partsRoot === node : object)) continue;
     const copy = isOwn ? each.copyOf(node) : three && (PropertyBinding.findNode(three, name) as Object3D | null);
     if (copy && (!isMorph || 'morphTargetInfluences' in copy)) found.push(channels.nodeChannel(copy, property));

@@ -7,7 +7,7 @@ export type ClipWrap = 'once' | 'loop' | 'ping-pong';
 const MOST_PASSES = 1000;
 
 /**
- * Position within a clip (s), for an unwrapped position.
+ * Position within a clip (s), for an unwrapped position, which goes on beyond the clip's ends.
  * @param seconds - unwrapped position; negative when the clip plays backwards
  * @param duration - of the clip (s)
  * @param isBackwards - at a multiple of `duration`: true returns the clip's end, false its beginning
@@ -48,12 +48,12 @@ export function passEvents(
       : (at < from || (withFrom && at === from)) && at >= to;
   const visit = (event: ClipEvent, at: number): void => {
     if (event.time > duration || !isPassed(at)) return;
-    // an event at the very end of the pass before `from` has been called already, or has no pass
+    // the event is at the end of the pass that ends at `from`: it was called then, or the clip began after it
     const isBefore = at === from && period > 0 && event.time === (direction > 0 ? duration : 0);
     if (wrap === 'loop' && isBefore) return;
     call(event);
   };
-  /** Visits one pass; `turned` is the backward pass of ping-pong, whose two ends belong to forward passes. */
+  /** Visits one pass. `turned`: whether it is a backward pass of ping-pong, whose two ends belong to forward passes. */
   const pass = (start: number, turned: boolean): void => {
     const isFalling = turned !== direction < 0;
     for (let n = 0; n < count; n++) {

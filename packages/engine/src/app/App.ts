@@ -231,7 +231,7 @@ export class App {
     if (this.ownsCanvas) this.canvas.remove();
   }
 
-  /** Applies the scene's microshaders, now and on changes. Texts that do not compile are reported and ignored. */
+  /** Applies the scene's microshaders, now and on changes. A text that does not compile is reported and ignored. */
   private watchMicroShaders(): void {
     const { currentScene: scene } = this;
     const apply = (): void => {

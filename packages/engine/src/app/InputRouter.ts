@@ -13,7 +13,7 @@ export interface InputSurface extends EventTarget {
   setPointerCapture?(pointerId: number): void;
 }
 
-/** Pixels of a wheel event's line and page (deltaMode 1 and 2). */
+/** Pixels per unit of a wheel event, by its `deltaMode`: pixels, lines, pages. */
 const WHEEL_UNITS = [1, 16, 400];
 
 const pointerTypeOf = ({ pointerType }: PointerEvent): 'mouse' | 'touch' | 'pen' =>

@@ -6,10 +6,7 @@ import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { Model, ModelClip } from './Model';
 import type { Sound } from './Sound';
 
-/**
- * Loaded form of an asset: an object of three's. A shader is a ShaderMaterial or RawShaderMaterial; scripts and clips
- * are data.
- */
+/** Loaded form of an asset: an object of three's (for a shader, ShaderMaterial or RawShaderMaterial), or of Farol's. */
 export type Asset =
   | BufferGeometry
   | Texture
@@ -24,7 +21,7 @@ export type Asset =
 
 /** A part of an asset that is decoded: a texture, the pictures of a model, a sound. */
 export interface DecodedPart {
-  /** Decoded size of the model part (bytes). */
+  /** Decoded size of the part (bytes). */
   readonly bytes: number;
   /** Texture, when the part is one; textures read from equal bytes share one image. */
   readonly texture?: Promise<Texture>;
@@ -96,11 +93,11 @@ export type AssetChange =
 
 /** Component that uses a material of a library. */
 export interface MaterialUser {
-  /** Called when three's material was replaced and must be fetched again. */
+  /** Called when three's material was replaced: the component gets it from the library again. */
   materialReplaced(): void;
 }
 
-/** Asset type of one of three's objects. */
+/** Type of a loaded asset. */
 export function assetTypeOf(asset: Asset): AssetType {
   if ('isModel' in asset) return 'model';
   if ('isFieldAsset' in asset) return asset.type;

@@ -60,7 +60,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   }
 
   /**
-   * Renames an asset and its parts. References to the old name are not updated here: see `fields`.
+   * Renames an asset and its parts. The caller updates fields that refer to the old name.
    * @returns new names of all renamed assets, by old name
    * @throws AssetError when it is built in, a part of a model or unknown, or the name is taken
    */
@@ -84,7 +84,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     return names;
   }
 
-  /** Registers a user, called when three's material is replaced. */
+  /** Registers a component that is called when three's material of this name is replaced. */
   addMaterialUser(name: string, user: MaterialUser): void {
     const users = this.materialUsers.get(name);
     if (users) users.add(user);
@@ -112,7 +112,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     this.layered.sourceChanged(material);
   }
 
-  /** @internal Tells users that a material's displacement changed, so that they update their bounds. */
+  /** @internal Tells the components that use a material that its displacement changed, for their bounds. */
   materialShapeChanged(name: string): void {
     for (const user of [...(this.materialUsers.get(name) ?? [])]) user.materialReplaced();
   }

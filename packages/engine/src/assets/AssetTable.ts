@@ -97,7 +97,7 @@ export abstract class AssetTable {
     );
   }
 
-  /** The material of this name whose fields can be edited; null when it is another asset, or one of a model. */
+  /** The material of this name whose fields can be edited; null for an asset of another type or of a model. */
   materialAsset(name: string): MaterialAsset | null {
     const asset = this.fieldAsset(name);
     return asset?.type === 'material' ? (asset as MaterialAsset) : null;

@@ -39,7 +39,7 @@ function targetsOf(table: FieldTable): ReadonlyMap<string, Target> {
 
 /**
  * Copy of a material with one more surface (GLSL) on top, for some of the objects that use the material. It inherits
- * everything else live from that source material, which is never changed.
+ * all else, live, from that source material, which is never changed.
  */
 export class LayeredMaterial {
   readonly material: Material;
@@ -47,7 +47,7 @@ export class LayeredMaterial {
   private uniforms: SurfaceUniforms = {};
 
   /**
-   * @param key - key by which users share the material; null for a single user's
+   * @param key - key by which users share the material; null for the material of one user
    * @param asset - surface asset, already compiled
    */
   constructor(

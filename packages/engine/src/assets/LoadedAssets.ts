@@ -160,7 +160,7 @@ export abstract class LoadedAssets extends AssetTable {
     const promise = cancellable(source.load(signal), signal, (late) => late.dispose()).then(
       (value) => {
         this.loading.delete(name);
-        // the asset was removed or replaced while loading
+        // not stored, as the asset was removed or replaced while loading
         if (this.sources.get(name) !== source) return value;
         this.values.set(name, value);
         if (value instanceof Model) this.registerParts(name, value);

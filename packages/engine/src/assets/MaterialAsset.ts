@@ -92,7 +92,7 @@ export class MaterialAsset extends FieldAsset {
     return this.name ?? 'Material';
   }
 
-  /** Views of the surface's uniforms, such as 'surface.height', stored in `surfaceValues`. */
+  /** Fields for the surface's uniforms, such as 'surface.height': views of parts of `surfaceValues`. */
   override get fieldViews(): FieldViews | undefined {
     return this.uniformViews;
   }

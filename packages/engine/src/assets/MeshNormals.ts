@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import { cancellable } from '../base/cancellable';
 import { computeCreaseNormals, computeCreaseNormalsInSlices } from '../geometry/computeCreaseNormals';
 
-/** Corners of triangles above which normals are computed in slices: about 50 ms of work. */
+/** Number of triangle corners above which normals are computed in slices: about 50 ms of work. */
 const MANY_CORNERS = 100_000;
 
 interface Computation {
@@ -78,7 +78,7 @@ export class MeshNormals {
     let angles = this.computing.get(geometry);
     if (!angles) this.computing.set(geometry, (angles = new Map()));
     const before = angles.get(angle);
-    // a cancelled computation ends at its next slice
+    // a cancelled computation goes on to the end of its slice: it is not used again
     if (before && !before.control.signal.aborted) return before;
     const control = new AbortController();
     const promise = computeCreaseNormalsInSlices(geometry, angle, control.signal).then((copy) =>

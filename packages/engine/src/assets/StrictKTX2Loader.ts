@@ -3,8 +3,8 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 type Wired = Readonly<Record<string, (...args: unknown[]) => unknown>>;
 
 /**
- * Replaces `Function` in the transcoder's worker, whose bindings (Emscripten's embind) generate callers as text: it
- * parses the text and returns an equivalent closure. The worker gets the source text of this function.
+ * Replaces `Function` in the transcoder's worker, whose bindings (Emscripten's embind) generate callers as text:
+ * returns a closure that does the same as the text. The worker gets the source text of this function.
  */
 function withoutEval(): void {
   const original = globalThis.Function;

@@ -1,13 +1,13 @@
 import { Color, type Material, type WebGLProgramParametersWithUniforms } from 'three';
 
-/** Chunk after ambient, environment and lightmap light are computed, before they are summed. */
+/** Chunk before which ambient, environment and lightmap light are computed, and after which they are summed. */
 const AFTER = '#include <aomap_fragment>';
 
 const reflections = new WeakMap<Material, Color>();
 
 function reflect(this: Material, shader: WebGLProgramParametersWithUniforms): void {
   shader.uniforms.ambientReflection = { value: reflections.get(this) };
-  // name by which the renderer's shaders read the reflectance of ambient light
+  // the renderer's shaders read the reflectance of ambient light as FAROL_AMBIENT_FACTOR
   shader.fragmentShader = `uniform vec3 ambientReflection;\n#define FAROL_AMBIENT_FACTOR ambientReflection\n${shader.fragmentShader.replace(
     AFTER,
     `${AFTER}\n\treflectedLight.indirectDiffuse *= ambientReflection;`,

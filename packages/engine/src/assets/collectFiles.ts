@@ -1,7 +1,7 @@
-/** Dropped files, by their path with `/`: 'room/textures/wall.png'. */
+/** Files, as users drag them onto a page, by their path with `/`: 'room/textures/wall.png'. */
 export type FileMap = ReadonlyMap<string, File>;
 
-/** All files of a drop, including the content of folders. */
+/** All files of a drop event's DataTransfer, including the content of folders. */
 export async function collectFiles(transfer: DataTransfer): Promise<FileMap> {
   const files = new Map<string, File>();
   // The items are cleared after the first await, so all are read before.

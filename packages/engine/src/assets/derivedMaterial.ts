@@ -12,7 +12,7 @@ export function derivedMaterial(source: Material, values: Readonly<Record<string
   Object.defineProperty(material, 'id', { value: new Material().id });
   Object.defineProperty(material, 'version', {
     get: () => source.version,
-    // three's switch of sides on transparent materials must not reach the source
+    // three raises `version` when it switches the side of a transparent material: this must not reach the source
     set() {},
   });
   own('_listeners', undefined);

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { AssetError } from './AssetError';
 
-/** Base of relative addresses without a page, as in Node. */
+/** Base of relative addresses where there is no page, as in Node. */
 const NOWHERE = 'http://here.invalid/';
 
 /**

@@ -2,7 +2,7 @@ import type { Object3D } from 'three';
 
 /** Nodes of a model that are drawn together, and the node that gives their pose. */
 export interface ModelSubtree {
-  /** The node itself if there is one, else the nearest common ancestor. */
+  /** The chosen node itself if there is only one, else the nearest common ancestor of `nodes`. */
   readonly root: Object3D;
   /** Chosen nodes of a model; none is below another one. */
   readonly nodes: readonly Object3D[];
@@ -18,7 +18,7 @@ const nameOf = (node: Object3D): string => encode(node.name || node.type);
 const encode = (name: string): string =>
   name.replaceAll(/[%/;#]/g, (letter) => `%${letter.charCodeAt(0).toString(16)}`);
 
-/** The children of a node by name, and the step that leads to each. */
+/** The children of a node by name, and the part of a path that leads to each: 'Hand' or 'Hand#2'. */
 interface ChildIndex {
   readonly names: readonly string[];
   readonly byName: ReadonlyMap<string, readonly Object3D[]>;
@@ -79,7 +79,7 @@ export function topsOf(nodes: ReadonlySet<Object3D>): Object3D[] {
 }
 
 /**
- * The nearest common ancestor of nodes, or the node itself when there is one.
+ * The nearest common ancestor of nodes, or the node itself when there is only one.
  * @param nodes - at least one, of one tree
  */
 export function commonAncestor(nodes: readonly Object3D[]): Object3D {

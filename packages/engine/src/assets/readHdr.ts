@@ -9,11 +9,11 @@ const MOST_WIDTH = 0x7fff;
 const MOST = 65_504;
 
 interface HdrHeader {
-  /** Pixels of a scan line; `count` is the number of scan lines. Columns where `isTurned`. */
+  /** Pixels of a scan line; `count` is the number of scan lines. Scan lines are columns where `isTurned`. */
   readonly length: number;
   readonly count: number;
   readonly isTurned: boolean;
-  /** Whether scan lines go from top to bottom, and columns from left to right, in the file. */
+  /** Whether the file's rows go from top to bottom; `goesRight`: whether its columns go from left to right. */
   readonly goesDown: boolean;
   readonly goesRight: boolean;
   /** Offset of the first byte after the header. */
@@ -104,8 +104,8 @@ class RowReader {
   }
 
   /**
-   * Reads a scan line pixel by pixel; the pixel 1 1 1 n repeats the last pixel n times, consecutive ones of these count
-   * 256 times as much each.
+   * Reads a scan line pixel by pixel. The pixel 1 1 1 n repeats the last pixel n times; if several such pixels follow
+   * each other, the second counts n × 256 times, the third n × 65536.
    */
   private readFlat(): void {
     const { bytes, row, length } = this;

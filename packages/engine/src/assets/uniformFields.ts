@@ -17,7 +17,7 @@ export const UNIFORM = 'surface.';
 /** Fields of a material that hold the textures of a surface, in the order in which it declares them. */
 export const surfaceMaps = ['surfaceMap1', 'surfaceMap2', 'surfaceMap3', 'surfaceMap4'] as const;
 
-/** Condition that no owner fulfils: these fields are shown by the fields of the surface's uniforms instead. */
+/** A condition that is never met: the inspector hides these fields, and shows those of the surface's uniforms. */
 const hidden = { visibleWhen: { field: 'surface', equals: [] } };
 const map = asset('texture', null, { ...hidden, help: 'A texture of the surface.', label: 'Surface texture' });
 

@@ -60,13 +60,13 @@ export class SceneAudio implements SceneSystem {
       const source = sources[i];
       if (source.isPlaying && this.isAtEnd(source)) {
         source.stop();
-        // the end of the sound is still in the output buffer
+        // forgotten, not stopped: the end of its sound is still in the output buffer
         this.voices.delete(source);
       }
       isPlaying ||= source.isPlaying;
     }
     this.dropVoices();
-    // the scene was moved to a time and does not advance
+    // with `deltaSeconds` 0 the scene was set to a time and does not play on: nothing is to be heard
     if (!isPlaying || deltaSeconds === 0 || !audioOutput.mayBeHeard(this.listener?.context ?? null)) return;
     const listener = (this.listener ??= makeListener());
     if (listener.context.state === 'suspended') listener.context.resume().catch(() => {});

@@ -7,7 +7,7 @@ import { modelBelow } from '../animation/modelsBelow';
 import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 
-/** Options of `Animation.play`; the fields supply absent ones. */
+/** Options of `Animation.play`; fields of the component give the values of absent options. */
 export interface PlayOptions {
   /** Duration of the cross-fade to the new clip (s). */
   readonly fade?: number;
@@ -58,7 +58,7 @@ export class Animation
   private players: ClipPlayer[] = [];
   private system: AnimationSystem | null = null;
   private hasStarted = false;
-  /** Scene time (s) at which the component entered the scene or was switched; clips start from it. */
+  /** Scene time (s) at which the component entered the scene or was switched on or off; clips start from it. */
   private since = 0;
   private readonly reported = new Set<string>();
 
@@ -92,7 +92,7 @@ export class Animation
 
   /**
    * Plays a clip; the present one fades out. A clip that plays already continues.
-   * @param name - of a clip of the library, or of a clip of the model as in its file; the field's clip when absent
+   * @param name - of a clip of the library, or of a clip of the model as in its file; the field `clip` when absent
    * @throws Error naming the known clips when the name is unknown
    */
   play(name?: string, options: PlayOptions = {}): void {
@@ -251,7 +251,7 @@ export class Animation
   /** Loads the model of a clip, if it is not loaded yet. */
   private loadClip(): void {
     const { scene, clip } = this;
-    // the library reports a model that cannot be loaded
+    // the error is ignored: the library reports a model that cannot be loaded
     if (scene && clip !== null && !scene.assets.isReady('clip', clip)) void scene.assets.load(clip).catch(() => {});
   }
 }

@@ -31,7 +31,7 @@ export class Animator extends component({
   }
 
   override onEnterScene(scene: Scene): void {
-    // the library reports a model that cannot be loaded
+    // the error is ignored: the library reports a model that cannot be loaded
     if (this.model !== null && !scene.assets.isReady('model', this.model))
       void scene.assets.load(this.model).catch(() => {});
   }

@@ -88,7 +88,7 @@ export class AudioSource extends component({
     return this.state === 'paused' ? this.pausedAt : 0;
   }
 
-  /** Plays from the beginning, or from the pause. A playing sound restarts. */
+  /** Plays from the beginning, or from where it was paused. A playing sound restarts. */
   play(): void {
     if (!this.isActive) return;
     const from = this.state === 'paused' ? this.pausedAt : 0;
@@ -124,7 +124,7 @@ export class AudioSource extends component({
 
   override onEnterScene(scene: Scene): void {
     const { sound } = this;
-    // the library reports a sound that cannot be loaded
+    // the error is ignored: the library reports a sound that cannot be loaded
     if (sound !== null && !scene.assets.isReady('sound', sound)) void scene.assets.load(sound).catch(() => {});
   }
 

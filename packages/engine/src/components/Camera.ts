@@ -114,7 +114,7 @@ export class Camera extends component({
     this.far = far;
   }
 
-  /** Sets the size of the canvas, in any unit, for the aspect ratio; not an edit. */
+  /** Sets the size of the canvas, in any unit, for the aspect ratio; does not count as an edit. */
   setViewport(width: number, height: number): void {
     const aspect = width > 0 && height > 0 ? width / height : 1;
     if (aspect === this.canvasAspect) return;

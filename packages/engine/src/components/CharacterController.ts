@@ -67,7 +67,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   };
 
   private readonly held = new Set<string>();
-  /** Movement requested by a script; null for none. */
+  /** Direction that a script has passed to `walk`; null for none. */
   private requestedMove: Vector3 | null = null;
   private readonly stick = new TouchStick();
   private readonly finger = { pointer: -1, since: 0, way: 0 };
@@ -182,7 +182,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     this.readPad(deltaSeconds);
     wish.clampLength(0, 1);
     if (wish.lengthSq() === 0) return;
-    // movement is along the ground, independent of the camera's pitch
+    // turns the wished direction by the heading alone, so that a pitch does not slow walking along the ground
     this.gameObject.object3D.getWorldQuaternion(worldTurn);
     front.set(0, 0, -1).applyQuaternion(worldTurn);
     wish.applyAxisAngle(UP, Math.atan2(-front.x, -front.z));
@@ -195,7 +195,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     const { control } = this;
     control.wish.x += alive(axes[0] ?? 0);
     control.wish.z += alive(axes[1] ?? 0);
-    // the left stick, or the left shoulder, pressed
+    // a press of the left stick (button 10) or the left shoulder (button 4) makes the character run
     if (buttons[10]?.pressed || buttons[4]?.pressed) control.isRunning = true;
     const isJump = buttons[0]?.pressed ?? false;
     if (isJump && !this.wasPadJump) this.jump();
@@ -208,7 +208,7 @@ export class CharacterController extends physicsComponent(characterFields) {
 
   /**
    * Turns the character and its camera by a pointer movement.
-   * @param right - movement to the right (CSS pixels); `down`: downwards
+   * @param right - movement to the right (CSS pixels); `down`: movement down
    */
   private turnBy(right: number, down: number): void {
     const { object3D } = this.gameObject;

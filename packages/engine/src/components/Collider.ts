@@ -2,8 +2,8 @@ import { colliderFields } from '../physics/colliderFields';
 import { physicsComponent } from '../physics/physicsComponent';
 
 /**
- * A shape that bodies collide with. It belongs to the RigidBody of its object or of the nearest object above, several
- * colliders form one shape; without a RigidBody it is fixed at its object. Sizes follow the object's scale.
+ * A shape that bodies collide with. It belongs to the RigidBody of its object or of the nearest ancestor, as part of
+ * the body's shape; without a RigidBody it is fixed at its object. Sizes follow the object's scale.
  */
 export class Collider extends physicsComponent(colliderFields) {
   static override readonly typeName: string = 'Collider';

@@ -28,9 +28,9 @@ const defaults = Object.fromEntries(
 ) as unknown as MaterialValues;
 
 /**
- * Projects a picture on surfaces in a box around the GameObject, along the object's z axis, seen from +z, by three's
- * `Decal` of @farol/renderer/decals; an `App` switches that effect on while its scene has decals. Drawn by techniques
- * with a G-buffer.
+ * Projects a picture on surfaces in a box around the GameObject, along the object's z axis, seen from +z: `Decal` of
+ * @farol/renderer/decals. An `App` switches the effect on while its scene has decals. Drawn by techniques with a
+ * G-buffer.
  */
 export class Decal extends component({
   size: vector3([0.8, 0.8, 1.2], {

@@ -39,8 +39,8 @@ interface OtherObject {
 const CLOSE = 1e-9;
 
 /**
- * Calls a method on an event of its object; `methodsOf` lists the methods. An object may have several. Timers and
- * delays use the scene's time, so every run is the same.
+ * Calls a method (`methodsOf` lists them) when an event happens to its object. An object may have several triggers.
+ * Timers and delays use the scene's time, so every run is the same.
  */
 export class EventTrigger extends component({
   event: choice('pointerClick', events, {
@@ -145,7 +145,7 @@ export class EventTrigger extends component({
     return found ? methodsOf(found, this.valueType) : [];
   }
 
-  /** Calls the trigger's method as its event would. @param event - the method's argument if the value is the event */
+  /** Calls the trigger's method as its event would. @param event - the method's argument if `valueType` is 'event' */
   fire(event: unknown = null): void {
     const { scene } = this;
     if (!scene || !this.isActive || (this.once && this.hasFired)) return;

@@ -33,7 +33,7 @@ const makers: Record<string, () => AnyLight> = {
   tube: () => new RectAreaLight(),
 };
 
-/** Solid angles of profiles, each an integral over the sphere. */
+/** `profileSolidAngle` of each profile (sr), kept since it is an integral over the sphere. */
 const solidAngles = new WeakMap<PhotometricProfile, number>();
 
 const softened = new WeakSet<Scene>();
@@ -159,7 +159,7 @@ export class Light extends component(lightFields) {
     }
   }
 
-  /** @internal Called when other lights are shown alone, or no longer. */
+  /** @internal Called when the choice of lights that are shown alone (solo) has changed. */
   followSolo(): void {
     this.onActiveChanged();
   }

@@ -16,8 +16,7 @@ const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
 /**
  * Copies of a model's nodes by their originals: of all nodes, or of those that a subtree draws, whose root gets the
- * identity transform, since the GameObject holds its pose. Skeletons, light targets and profiles are those of the
- * copies.
+ * identity transform, since the GameObject holds its pose. Copied meshes and lights refer to copied bones and targets.
  */
 function copiesOf(model: Model, subtree: ModelSubtree | null): Map<Object3D, Object3D> {
   const copies = new Map<Object3D, Object3D>();

@@ -25,7 +25,7 @@ export const morphTargetFields = {
   }),
 };
 
-/** One mesh's own weight of a morph target. */
+/** Where one mesh stores its weight of a morph target: `influences[index]`. */
 interface Use {
   readonly influences: number[];
   readonly index: number;

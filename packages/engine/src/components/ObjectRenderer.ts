@@ -130,7 +130,7 @@ export class ObjectRenderer extends component({
       return;
     }
     if (mesh !== null && !scene.assets.isMeshReady(mesh, this.creaseAngle)) {
-      // another crease angle: the old geometry stays until the new one is ready
+      // for another crease angle of the same mesh, the old geometry is drawn until the new one is ready
       if (mesh !== this.meshName) this.clear(scene);
       const waiting = (this.waiting = new AbortController());
       const again = (): void => {

@@ -136,7 +136,7 @@ export function fitBounds(mesh: Mesh, isCulled = true): void {
   let reach = 0;
   if (!Array.isArray(material)) reach = code?.surfaceReach(material) ?? 0;
   else for (const each of material) reach = Math.max(reach, code?.surfaceReach(each) ?? 0);
-  // three computes the bounding spheres of skinned meshes, instances and batches
+  // the meshes whose own bounding sphere three computes, without displacement: they are never culled if displaced
   const hasOwn = 'isSkinnedMesh' in mesh || 'isInstancedMesh' in mesh || 'isBatchedMesh' in mesh;
   mesh.frustumCulled = isCulled && (hasOwn ? reach === 0 : reach !== Infinity);
   if (hasOwn) return;

@@ -22,7 +22,7 @@ export class OwnShape {
   }
 
   /**
-   * Notifies of the component's addition, removal, switch or changed fields.
+   * Notifies the ObjectRenderer that the component was added, removed, switched on or off, or has changed fields.
    * @param change - 'fields' recomputes the geometry
    */
   tell(change: 'came' | 'gone' | 'switched' | 'fields'): void {

@@ -17,8 +17,8 @@ const SAME_TIME = 1e-4;
 
 /**
  * Emits particles that the GPU simulates, and that may be lights: `ParticleEmitter` of @farol/renderer/particles,
- * fetched when a scene first has one; an `App` switches the effect on that draws it. While the scene plays they follow
- * its time and restart from the seed with it, so equal times give equal particles.
+ * fetched when a scene first has one; an `App` switches the effect on that draws it. While the scene plays, particles
+ * follow its time, and restart with it from the seed: equal times give equal particles.
  */
 export class ParticleEmitter extends component(particleFields) {
   static override readonly typeName: string = 'ParticleEmitter';
@@ -117,11 +117,11 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter) return;
     this.followSurface();
     this.followColliders();
-    // the scene's time was set back
+    // when the scene's time was set back, emission begins at the present time
     if (time < this.beganAt) this.beganAt = time;
     const due = time - this.beganAt;
     if (Math.abs(emitter.time + deltaSeconds - due) < SAME_TIME) {
-      // an emitter that is not drawn is not prewarmed either
+      // no step of 0 s: it would prewarm the emitter, which may never be drawn
       if (deltaSeconds > 0) emitter.step(deltaSeconds);
       return;
     }
@@ -130,7 +130,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (due > 0) emitter.step(due);
   }
 
-  /** @internal Called when other lights are shown alone, or no longer. */
+  /** @internal Called when the choice of lights that are shown alone (solo) has changed. */
   followSolo(): void {
     const lights = this.emitter?.lights;
     if (lights && this.scene) lights.visible = !LightGroups.of(this.scene).isMuted(this);
@@ -202,7 +202,7 @@ export class ParticleEmitter extends component(particleFields) {
     this.parts[name] = asset as never;
   }
 
-  /** Updates the mesh that particles begin on after it was loaded or removed. */
+  /** Updates the mesh on which particles begin, after the mesh was loaded or removed. */
   private followSurface(): void {
     if (this.shape !== 'mesh') return;
     const { surface } = this.parts;

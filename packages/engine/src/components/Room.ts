@@ -122,7 +122,7 @@ export class Room extends component({
       if (py < 0) return floor;
       if (py > height) return ceiling;
       if (Math.abs(px) < x && Math.abs(pz) < z) return false;
-      // holes end before the corners, which are part of no wall
+      // a corner belongs to no wall, but counts as part of one here: openings never reach into it
       const side = Math.abs(px) < x ? (pz > 0 ? 'front' : 'back') : px > 0 ? 'right' : 'left';
       return !openings.some((each) => each.side === side && isInOpening(each.opening, isAlongX(side) ? px : pz, py));
     });

@@ -165,7 +165,7 @@ export class SunAndMoon extends component({
       colour: lightOfKelvin(isDay ? sunKelvin(sun.elevation) : MOON_KELVIN),
       intensity: isMeasured ? (isDay ? sunLight : moonLight) : intensity,
     });
-    // a scene has one sky, and painting it takes milliseconds
+    // only one component paints the scene's only sky, which takes milliseconds
     const { scene } = this;
     if (!scene || scene.componentsOf(SunAndMoon).find(({ isActive }) => isActive) !== this) return;
     this.showsSky = true;
@@ -179,7 +179,7 @@ export class SunAndMoon extends component({
     );
   }
 
-  /** Converts to the convention of skies: azimuth from +x towards +z. */
+  /** Converts a place to the convention of `SkyDirection`: azimuth from +x towards +z. */
   private inScene({ azimuth, elevation }: SkyPlace): SkyDirection {
     return { azimuth: azimuth + this.north - Math.PI / 2, elevation };
   }

@@ -78,7 +78,7 @@ class Order {
 }
 
 /**
- * Disjoint sets that are merged step by step (union-find).
+ * Disjoint sets, merged two at a time (union-find).
  * @see Tarjan 1975, Efficiency of a good but not linear set union algorithm
  */
 class Groups {

@@ -13,7 +13,7 @@ export interface LightMaster {
 /** A component that lights the scene. */
 export interface LightSource {
   readonly id: string;
-  /** Called when others are shown alone, or no longer. */
+  /** Called when the choice of lights that are shown alone (solo) has changed. */
   followSolo(): void;
 }
 

@@ -10,8 +10,8 @@ export const lightShadows = {
 } as const;
 
 /**
- * Shadows of a sun over a square of the ground, which may end out of sight where cascades keep them fine near the
- * camera. The bias is a share of the shadow camera's depth, which grows with the extent.
+ * Shadows of a sun over a square of the ground. Cascades, which keep shadows fine near the camera, allow a square whose
+ * edge is out of sight. The bias is a share of the shadow camera's depth, which grows with the extent.
  * @param extent - half the width of the square (m)
  */
 export const sunShadows = (extent: number) => ({

@@ -48,8 +48,8 @@ export interface UnpackOptions {
   /** Whether the objects receive shadows. Default true. */
   readonly receiveShadow?: boolean;
   /**
-   * Values for the ObjectRenderers of one material of the model (`material` is its name), or of all: the surface on top
-   * of the material.
+   * Values of the surface fields for the ObjectRenderers of one material of the model, by the `material`'s name; for
+   * all ObjectRenderers when that is ''.
    */
   readonly wears?: { readonly material: string; readonly values: Values };
 }

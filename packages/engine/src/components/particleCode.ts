@@ -12,7 +12,7 @@ export const particleCode = new LateCode(
 /**
  * Values of a ParticleEmitter's fields for a common effect: `object.addComponent(ParticleEmitter, await
  * particlePreset('fire'))`.
- * @throws Error (as a rejection) when the code of particles cannot be fetched; try again
+ * @throws Error (as a rejection) when the code of particles cannot be fetched; call again
  */
 export async function particlePreset(name: ParticlePresetName): Promise<Partial<ParticleValues>> {
   const { particlePresets, particleValues } = await particleCode.load();

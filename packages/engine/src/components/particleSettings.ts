@@ -18,7 +18,7 @@ export interface ParticleParts {
 
 /** Fields that name objects which particles bounce off. */
 export const colliderObjects = ['collider1', 'collider2', 'collider3'] as const;
-/** Radius of a sphere that particles bounce off, of an object without scale: that of the editor's sphere (m). */
+/** Radius (m) of a sphere that particles bounce off, if its object has scale 1: that of the editor's sphere. */
 export const SPHERE_RADIUS = 0.5;
 
 type Vector = readonly [number, number, number];

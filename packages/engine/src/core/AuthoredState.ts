@@ -40,12 +40,12 @@ const recordOf = (object: GameObject): ObjectRecord => ({
   prefabLink: object.prefabLink,
 });
 
-/** Whether edits of an asset type survive `restore`: texts typed while the scene plays do. */
+/** Whether `restore` keeps edits of assets of a type: true for scripts and surfaces, whose text users type. */
 const staysAsTyped = (type: string): boolean => type === 'script' || type === 'surface';
 
 /**
  * State of a scene at a moment, from which all later changes by code can be undone: added, removed and moved objects
- * and components, names, switches and fields. Edits of scripts are not undone.
+ * and components, names, flags (`active`, `enabled`, …) and fields. Edits of scripts are not undone.
  */
 export class AuthoredState {
   private readonly objects = new Map<GameObject, ObjectRecord>();
@@ -56,9 +56,9 @@ export class AuthoredState {
   private readonly microShaders: ReadonlyMap<string, string>;
   private readonly prefabs: readonly Prefab[];
   private readonly assets: ReadonlySet<string>;
-  /** Values of fields before they were first set, by owner and field name. */
+  /** Values of changed fields from before their first change, by owner and field name. */
   private readonly fields = new Map<FieldOwner, Map<string, FieldValue>>();
-  /** Whether a change other than of field values was made. */
+  /** Whether anything but field values was changed since the state was recorded or last restored. */
   private isTouched = false;
   private isRestoring = false;
 
@@ -82,15 +82,15 @@ export class AuthoredState {
       if (!staysAsTyped(change.asset.type)) this.noteField(change.asset, change.field, change.before);
     } else {
       this.isTouched = true;
-      // a removed object reports no further field changes
+      // a removed object reports no further field changes, so all its values are recorded now
       if (change.kind === 'remove') change.gameObject.traverse(({ components }) => components.forEach(this.noteAll));
       else if (change.kind === 'component-remove') this.noteAll(change.component);
     }
   }
 
   /**
-   * Called before an object is disposed of: it and its descendants are only removed from the scene if they are part of
-   * the recorded state.
+   * Called before an object is disposed of. If the object, or else descendants of it, are part of the recorded state,
+   * they are only removed from the scene, so that `restore` can add them again.
    * @returns whether the object itself is in the recorded state
    */
   hold(gameObject: GameObject): boolean {
@@ -106,12 +106,12 @@ export class AuthoredState {
     return false;
   }
 
-  /** Restores the recorded state. Callable repeatedly; each call undoes the changes since the last. */
+  /** Restores the recorded state. Callable repeatedly; each call undoes the changes since the last call. */
   restore(): void {
     this.isRestoring = true;
     try {
       if (this.isTouched) this.restoreStructure();
-      // a replaced component's values are older than its replacement's, so they are set last
+      // a replaced component's recorded values are older than those of its replacement: set last, they win
       for (const [noted, values] of [...this.fields].toReversed()) {
         const owner = currentOf(noted);
         for (const [name, value] of values) if (Object.hasOwn(owner.fields, name)) trySet(owner, name, value);
@@ -152,10 +152,10 @@ export class AuthoredState {
       });
       added.push(...container.childList.slice(children.length));
     };
-    // parents first: an object that was moved below its own child must leave it before that child is put back
+    // parents first: if an object was moved below its own child, it must leave the child before the child is put back
     arrange(scene, this.roots);
     for (const [object, { children }] of this.objects) arrange(object, children);
-    // objects that were moved to a removed object's position were not added
+    // `added` also has recorded objects that were found below another parent; only new objects are disposed of
     for (const each of added) if (!this.objects.has(each)) each.dispose();
     for (const [object, record] of this.objects) this.restoreObject(object, record);
     for (const asset of scene.assets.fieldAssets()) {
@@ -188,7 +188,7 @@ export class AuthoredState {
       else if (component.isAttached && component.gameObject === object) object.moveComponent(component, index);
       else {
         if (component.isAttached) component.gameObject.removeComponent(component);
-        // the component may have been disposed of; script classes are recompiled in any case
+        // a new component, as the old one may be disposed of; a script's is used again: recompiling replaces it anyway
         const placed = scriptClasses.has(component.componentClass) ? component : new component.componentClass();
         if (placed !== component) replaceOwner(component, placed);
         for (const [name, value] of this.fields.get(component) ?? []) trySet(placed, name, value);

@@ -5,7 +5,7 @@ import type { Component } from './Component';
 export interface CameraComponent extends Component {
   /** The camera to draw with, below the object's object3D. */
   readonly three: PerspectiveCamera | OrthographicCamera;
-  /** Called before each frame with the size of the canvas, in any unit; not an edit. */
+  /** Called before each frame with the canvas's size, in any unit, for the aspect ratio; does not count as an edit. */
   setViewport(width: number, height: number): void;
 }
 

@@ -42,7 +42,7 @@ export abstract class Component extends FieldOwner {
   lateUpdate?(deltaSeconds: number, time: number): void;
   /** Called when a started component leaves the scene, or the scene is reset. */
   onDestroy?(): void;
-  /** Pointer events over the canvas, while the object is active and the component enabled. */
+  /** Called when a pointer is pressed over the canvas, while the object is active and the component enabled. */
   onPointerDown?(event: EnginePointerEvent): void;
   onPointerMove?(event: EnginePointerEvent): void;
   onPointerUp?(event: EnginePointerEvent): void;
@@ -64,7 +64,7 @@ export abstract class Component extends FieldOwner {
   /** Whether the component wants events of a kind at present ('pointer': events on objects); true when absent. */
   listensTo?(events: CostlyEvents): boolean;
 
-  /** Unique in its scene and kept in files; '' until the component has been on a GameObject. */
+  /** Id of the component, unique in its scene and kept in files; '' until the component has been on a GameObject. */
   get id(): string {
     return this.ownId;
   }
@@ -112,7 +112,7 @@ export abstract class Component extends FieldOwner {
     return this.attachedObject?.scene ?? null;
   }
 
-  /** Enabled, on a GameObject that is active together with all its ancestors. */
+  /** Whether the component is enabled, and its GameObject active together with all its ancestors. */
   get isActive(): boolean {
     return this.isEnabled && this.attachedObject !== null && this.attachedObject.activeInHierarchy;
   }
@@ -144,7 +144,7 @@ export abstract class Component extends FieldOwner {
     if (this.attachedObject) this.onFieldChanged(name);
   }
 
-  /** Whether values are shown in place of authored ones. */
+  /** Whether simulation shows values of fields in place of the authored ones. */
   get isSimulated(): boolean {
     return this.simulated !== null;
   }
@@ -156,7 +156,7 @@ export abstract class Component extends FieldOwner {
     this.simulated = null;
     if (!this.attachedObject) return;
     for (const [name, value] of simulated) {
-      // the field may be a view that no longer exists
+      // a field may be gone, if it was a view of another field's part: this is reported as a change too
       if (!Object.hasOwn(this.fields, name) || !sameValue(value, this.get(name))) this.onFieldChanged(name);
     }
   }
@@ -180,7 +180,7 @@ export abstract class Component extends FieldOwner {
   onActiveChanged(): void {}
 
   /**
-   * Called every frame that is simulated; only components that override it are visited.
+   * Called every frame that is simulated; components whose class does not override the method are skipped.
    * @param deltaSeconds - 0 when the scene was moved to a time
    * @param time - the scene's time in seconds
    */
@@ -221,8 +221,8 @@ export abstract class Component extends FieldOwner {
 }
 
 /**
- * Base class with a property for each field: its static members have defaults, `typeName` and `help` must be
- * overridden.
+ * Base class with a property for each field. Its static members have defaults, but subclasses must set `typeName` and
+ * `help`.
  */
 export type ComponentBase<F extends FieldTable> = Pick<
   ComponentClass,

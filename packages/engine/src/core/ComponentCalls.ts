@@ -55,7 +55,7 @@ export class ComponentCalls {
         i++;
         continue;
       }
-      // IndexedList moves the last entry to place i
+      // `i` stays, since IndexedList moves the last entry to the place of the removed one
       waiting.remove(component);
       started.add(component);
       try {
@@ -92,7 +92,7 @@ export class ComponentCalls {
       } catch (error) {
         this.scene.reportError(component, error);
       }
-      // IndexedList moves the last entry to the place of a removed one
+      // the component was removed, and IndexedList moved its last entry to place `i`, which is visited again
       if (list[i] !== component) i--;
     }
   }
@@ -111,8 +111,8 @@ export class ComponentCalls {
   }
 
   /**
-   * Whether a component must not be updated yet: it was added in this frame and starts in the next, or its script does
-   * not run.
+   * Whether a component must not be updated: it was added in this frame and starts in the next, or it is a script's and
+   * the scene is only moved to a time (`deltaSeconds` 0).
    */
   private isTooEarly(component: Component, deltaSeconds: number): boolean {
     if (deltaSeconds === 0) return scriptClasses.has(component.componentClass);

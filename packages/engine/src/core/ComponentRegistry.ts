@@ -9,7 +9,7 @@ import { makeUnknownComponent } from './UnknownComponent';
 export interface ComponentRegistryOptions {
   /**
    * Whether files may hold components of types that nobody registered: each is kept as data, an `UnknownComponent`.
-   * They are refused when absent.
+   * When the option is absent, such files are refused.
    */
   keepUnknown?: boolean;
 }
@@ -73,7 +73,7 @@ export class ComponentRegistry {
   createFrom(data: ComponentData): Component {
     if (this.keepsUnknown && !this.classes.has(data.type)) return makeUnknownComponent(data);
     if (!this.keepsUnknown) return this.create(data.type, data.values);
-    // the class of a script may have other fields than when the data were written
+    // a script may have been edited since the data were written: values that no longer fit are left out
     const type = this.get(data.type);
     const component = new type();
     for (const name of Object.keys(data.values)) {

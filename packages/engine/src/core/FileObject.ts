@@ -24,7 +24,7 @@ export interface FileObject {
   /** Whether the object's meshes get baked lightmaps; false when absent. */
   static?: boolean;
   tags?: string[];
-  /** Link to a prefab's object; absent for an object of no instance. */
+  /** Link to the prefab's object that the object is a copy of; absent outside prefab instances. */
   prefab?: PrefabLink;
   components: FileComponent[];
 }

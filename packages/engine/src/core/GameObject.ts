@@ -81,7 +81,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'tags' });
   }
 
-  /** The object of a prefab that this one is a copy of; null for an object of its own. */
+  /** The prefab's object that this one is a copy of; null when it is a copy of none. */
   get prefabLink(): PrefabLink | null {
     return this.link;
   }
@@ -105,7 +105,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
   }
 
-  /** Whether editors do not pick the object and its descendants in the picture. No other effect. */
+  /** Whether editors do not pick the object and its descendants in the picture; has no other effect. */
   get locked(): boolean {
     return this.isLocked;
   }
@@ -227,7 +227,7 @@ export class GameObject implements GameObjectContainer {
 
   /**
    * Removes a component, which may be added again or disposed of.
-   * @throws Error for the Transform or another object's
+   * @throws Error for the Transform, or for another object's component
    */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
@@ -240,7 +240,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
   }
 
-  /** @internal Replaces a component by another one in the list, without any calls. */
+  /** @internal Replaces a component by another one in the list, without calling a method of either. */
   putInPlace(component: Component, other: Component): void {
     this.componentList[this.componentList.indexOf(component)] = other;
   }
@@ -284,7 +284,7 @@ export class GameObject implements GameObjectContainer {
   }
 
   /**
-   * Calls a method of every component that has it, here and in all children (thesis 3.2.4), active or not.
+   * Calls a method of every component that has it, on the object and all its descendants (thesis 3.2.4), active or not.
    * @returns how many components received the call
    */
   callMethod(name: string, ...args: unknown[]): number {
@@ -306,7 +306,7 @@ export class GameObject implements GameObjectContainer {
     return receivers;
   }
 
-  /** Visits the object and all below it, parents first. */
+  /** Visits the object and all its descendants, parents first. */
   traverse(visit: (gameObject: GameObject) => void): void {
     visit(this);
     for (const child of this.childList) child.traverse(visit);
@@ -346,7 +346,7 @@ export class GameObject implements GameObjectContainer {
     this.componentList.length = 0;
   }
 
-  /** @internal Called when `active` changed here or above. */
+  /** @internal Called when `active` changed on the object or an ancestor. */
   refreshActive(): void {
     const active = this.isActive && (this.parent?.activeInHierarchy ?? true);
     if (active === this.activeWithParents) return;
@@ -367,7 +367,7 @@ export class GameObject implements GameObjectContainer {
 /**
  * Copies an object with its descendants.
  * @param newIds - ids of the copies, by the ids of their originals
- * @param prefabs - ids of the prefabs of instances whose root is being copied
+ * @param prefabs - prefabs of instances whose root is copied too; links to all others are left out
  */
 function copyOf(source: GameObject, newIds: ReadonlyMap<string, string>, prefabs: ReadonlySet<string>): GameObject {
   const copy = new GameObject(source.name, { id: newIds.get(source.id) });

@@ -8,7 +8,7 @@ class LazyEuler extends Euler {
   /** Whether the quaternion changed since the angles were computed. */
   isStale = false;
 
-  // declared only: Euler's constructor sets the property, and a field's initial value would replace it
+  // `declare` emits no initial values, which would replace those that Euler's constructor sets
   declare private ownX: number;
   declare private ownY: number;
   declare private ownZ: number;
@@ -21,7 +21,7 @@ class LazyEuler extends Euler {
     super(0, 0, 0, order);
   }
 
-  // three's Euler, and methods that take one, read and write these private properties
+  // three's Euler, and methods that take one, use these private properties; reading one computes stale angles
   get _x(): number {
     this.refresh();
     return this.ownX;

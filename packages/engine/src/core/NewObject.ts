@@ -10,7 +10,7 @@ export interface NewObject {
   readonly label: string;
   /** Name of the object, in English; the label when absent. */
   readonly name?: string;
-  /** Part of the Add menu; 'object' when absent. */
+  /** Section of the Add menu that has the entry; 'object' when absent. */
   readonly group?: 'object' | 'building' | 'light' | 'particles';
   /** Name of the entry's icon; the component's when absent. */
   readonly icon?: string;

@@ -12,7 +12,7 @@ export interface Prefab {
   readonly objects: readonly FileObject[];
 }
 
-/** Refusal of an operation on a prefab. */
+/** Error that refuses an operation on a prefab. */
 export class PrefabError extends Error {
   constructor(
     readonly prefab: string,

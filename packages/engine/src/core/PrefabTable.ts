@@ -28,13 +28,13 @@ export class PrefabTable {
     if (this.byId.delete(id)) this.changed(id);
   }
 
-  /** Whether a prefab is, or contains at any depth, an instance of another. */
+  /** Whether the prefab `id` is `inner`, or contains an instance of `inner` at any depth. */
   contains(id: string, inner: string): boolean {
     return this.anyContains([id], inner);
   }
 
   /**
-   * Whether any of the prefabs `ids` is `inner`, or holds an instance of `inner` at any depth. Each is visited once.
+   * Whether any of the prefabs `ids` is `inner`, or holds an instance of `inner` at any depth. Visits each prefab once.
    */
   anyContains(ids: Iterable<string>, inner: string): boolean {
     const seen = new Set(ids);

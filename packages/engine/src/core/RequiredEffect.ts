@@ -4,6 +4,6 @@ import type { FarolEffect } from '@farol/renderer';
 export interface RequiredEffect {
   /** Class of the effect; null until `load` is done. */
   readonly effectClass: (new () => FarolEffect) | null;
-  /** Fetches the code of the effect. @throws Error (as a rejection) when it cannot be fetched; try again */
+  /** Fetches the code of the effect. @throws Error (as a rejection) when it cannot be fetched; call again */
   load(): Promise<unknown>;
 }

@@ -32,14 +32,12 @@ import { SceneSettings } from '../settings/SceneSettings';
 export class Scene implements GameObjectContainer {
   readonly three = new SceneRoot();
   readonly assets: AssetLibrary;
-  /**
-   * Types of components that can be added by name: by files, prefabs and menus. A replacement needs all types in use.
-   */
+  /** Types of components that files, prefabs and menus can add by name. Another registry must have all types in use. */
   registry: ComponentRegistry;
   readonly settings: SceneSettings;
   /** Microshaders that are saved with the scene. */
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
-  /** Views that editors keep with the scene. */
+  /** Camera bookmarks that editors keep with the scene. */
   readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
   /** Thumbnail that editors show for the scene's file; null for none. */
   picture: ScenePicture | null = null;
@@ -251,7 +249,7 @@ export class Scene implements GameObjectContainer {
     this.simulatedOnes.add(component);
   }
 
-  /** @internal Adds or removes a user of a renderer effect. */
+  /** @internal Adds or removes one component that needs a renderer effect. */
   useEffect(effect: RequiredEffect, isUsed: boolean): void {
     this.index.countEffect(effect, isUsed ? 1 : -1);
   }
@@ -264,7 +262,7 @@ export class Scene implements GameObjectContainer {
 
   /**
    * Records the scene's state for the next `reset`, which restores objects and components that were removed, disposed
-   * of or moved, removes added ones, and restores names, switches and fields. Edits of scripts stay.
+   * of or moved, removes added ones, and restores names, flags and fields. Edits of scripts stay.
    */
   keepAuthored(): void {
     this.authored ??= new AuthoredState(this);
@@ -294,7 +292,7 @@ export class Scene implements GameObjectContainer {
     this.simulatedOnes.clear();
     this.traverse((gameObject) => gameObject.transform.restoreAuthored());
     this.setTime(0);
-    // components may write fields at time 0 too
+    // `setTime` calls components, which may have written fields: they are restored again
     this.authored?.restore();
     this.authored = null;
     this.wasSimulated = false;
@@ -337,7 +335,7 @@ export class Scene implements GameObjectContainer {
     return this.three.onMatricesUpdated(listener);
   }
 
-  /** Releases the scene's resources. A library that was passed in stays; the scene's uses in it are released. */
+  /** Releases the scene's resources. An AssetLibrary that was passed in stays, without the scene as user. */
   dispose(): void {
     this.listeners.clear();
     this.endAssets();

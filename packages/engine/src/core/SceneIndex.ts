@@ -40,7 +40,7 @@ export class SceneIndex {
   /** Components that override a method for key events. */
   readonly keyed = new IndexedList<Component>();
 
-  /** Components that are not called since they threw. */
+  /** Components that are no longer called because they threw an error. */
   readonly switchedOff = new Set<Component>();
 
   /** Component lists by class or type name, made on the first request. */

@@ -7,10 +7,10 @@ import { parseMicroShader } from '@farol/renderer/microshaders';
 export class SceneMicroShaders {
   private readonly byName = new Map<string, string>();
 
-  /** @param changed - called after a text was set or removed */
+  /** @param changed - called after the text of the chunk `name` was set or removed */
   constructor(private readonly changed: (name: string) => void) {}
 
-  /** Texts in the form of `.glsl` files, by name. */
+  /** GLSL texts of the microshaders, in the form of `.glsl` files, by chunk name. */
   get texts(): ReadonlyMap<string, string> {
     return this.byName;
   }

@@ -39,7 +39,7 @@ const place = new Vector2();
 
 const belongsToObject = (hit: Intersection): boolean => gameObjectOf(hit.object, hit.instanceId) !== null;
 
-/** Nearest common ancestor of two objects, itself included; null for none. */
+/** Nearest common ancestor of two objects, where each object counts as its own ancestor; null for none. */
 function nearestAbove(one: GameObject | null, other: GameObject | null): GameObject | null {
   for (let each = one; each; each = each.parent)
     for (let below = other; below; below = below.parent) if (below === each) return each;

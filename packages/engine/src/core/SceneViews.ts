@@ -15,7 +15,7 @@ export interface SceneView {
   readonly orthographic: boolean;
 }
 
-/** Number of camera bookmarks of a scene: their slots are 1 to this. */
+/** Number of camera bookmarks of a scene; their places are numbered 1 to this. */
 export const MOST_VIEWS = 9;
 
 const isFinite3 = (value: unknown): boolean =>
@@ -44,7 +44,7 @@ export class SceneViews {
   /** @param changed - called after a view was set or removed */
   constructor(private readonly changed: (place: number) => void) {}
 
-  /** Views with their places, in the order of the places. */
+  /** The bookmarks, each with its place (1 to 9), in the order of the places. */
   get entries(): readonly (readonly [number, SceneView])[] {
     return [...this.byPlace].toSorted(([a], [b]) => a - b);
   }

@@ -1,7 +1,7 @@
 import { BufferGeometry } from 'three';
 import type { Component } from './Component';
 
-/** A component that makes the shape of its object: the object's ObjectRenderer draws it in place of its mesh. */
+/** A component that makes the shape of its object: the ObjectRenderer draws that shape, not a mesh of its own. */
 export interface ShapeSource {
   /** Geometry of the shape, the same object until the shape changes; null while there is none. */
   readonly shapeGeometry: BufferGeometry | null;

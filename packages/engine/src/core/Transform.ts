@@ -162,7 +162,7 @@ export class Transform extends component({
   }
 }
 
-/** Restores a field of the object to its authored value. */
+/** Sets a property of the object3D to the authored value of the Transform's field. */
 function restore(transform: Transform, name: string): void {
   place(transform.gameObject.object3D, name, transform.getAuthored(name) as Vector3Tuple);
 }

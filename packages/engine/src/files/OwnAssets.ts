@@ -1,7 +1,7 @@
 import type { AssetUse } from './assetUses';
 import type { FileAsset } from './FarolFile';
 
-/** Greatest number of '/' in a part's name at which the name of its model may end, as in 'robot.glb/mesh-1'. */
+/** Number of '/' in an asset's name before which a model's name is looked for: 'robot.glb' in 'robot.glb/mesh-1'. */
 const SLASHES = 32;
 
 /** Assets that a scene file contains, by name. */

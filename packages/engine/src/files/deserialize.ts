@@ -30,14 +30,14 @@ export interface DeserializeOptions {
   /**
    * Called once, before any fetch, when the file names addresses of other origins. Returns true for all, false for
    * none, or the origins allowed; from then on the library fetches from those only. A refused asset is not loaded, and
-   * `assets.onChange` gets an AddressRefusedError; the rest of the scene opens. All are fetched when absent.
+   * `assets.onChange` gets an AddressRefusedError; the rest of the scene opens. Without `mayFetch`, all are fetched.
    */
   mayFetch?: (addresses: readonly ForeignAddress[]) => MayFetch | Promise<MayFetch>;
   /** Cancels opening: the scene is disposed of, and loads that only the scene needs are aborted. */
   signal?: AbortSignal;
 }
 
-/** Foreign origins that may be fetched from: true for all in the question, false for none, or a list. */
+/** Foreign origins that may be fetched from: true for all that were asked for, false for none, or a list. */
 export type MayFetch = boolean | Iterable<string>;
 
 /** Registers the file's own assets that the library lacks, and adds their names to `registered`. */
@@ -102,7 +102,7 @@ async function loadAssets(
   /** Asset whose loading makes a name known: the model for a name of its part, else the asset itself. */
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
   const needed = new Map(uses.map((use) => [loadedFor(use.name), use]));
-  // materials are made when first drawn, after their textures are loaded
+  // field assets need no loading: a material is made when first drawn, after its textures are loaded
   const names = [...needed.keys()].filter((name) => !assets.fieldAsset(name));
   const loads = Promise.allSettled(names.map((name) => assets.load(name, signal)));
   const results = await cancellable(loads, signal, () => {});
@@ -127,7 +127,7 @@ async function loadAssets(
   problems.throwIfAny();
 }
 
-/** Asks whether the foreign addresses of a file may be fetched. @returns the allowed origins; null for any */
+/** Asks whether the foreign addresses of a file may be fetched. @returns the allowed origins; null for every origin */
 async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions): Promise<ReadonlySet<string> | null> {
   if (!mayFetch) return null;
   const addresses = foreignAddresses(file);

@@ -9,7 +9,7 @@ const isLitter = (path: string): boolean => /(^|\/)(__MACOSX\/|\.DS_Store$|Thumb
 /**
  * Replaces each ZIP among files by its content, as if a folder had been dropped: 'sponza.zip' with 'textures/wall.png'
  * in it gives 'sponza/textures/wall.png'.
- * @param mayUnpack - called before a large ZIP is unpacked; large ones are refused when absent. See `unpackLimits`
+ * @param mayUnpack - called before a large ZIP is unpacked; without it, large ones are refused. See `unpackLimits`
  * @param onProblem - called for a ZIP that cannot be read, which is then skipped
  * @throws Error (as a rejection) that names the ZIP and what is wrong with it, without `onProblem`; AbortError when
  *   `mayUnpack` returns false

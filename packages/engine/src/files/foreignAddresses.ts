@@ -11,8 +11,8 @@ export interface ForeignAddress {
 }
 
 /**
- * Every address in a scene of another origin, or of another scheme than the page's, `data:` and `blob:`, so that it can
- * be checked before a fetch. Models add none: a model read from an address or from the file must be self-contained.
+ * The addresses in a scene, but for `data:` and `blob:`, whose origin or scheme is not the page's, to be checked before
+ * a fetch. Models add none: a model read from an address or from the file must be self-contained.
  * @param file - result of `parseFile`; prefabs, materials and microshaders name assets, not addresses
  * @param base - address of the page; the document's when absent
  */

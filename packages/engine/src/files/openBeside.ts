@@ -86,7 +86,7 @@ async function addressOf(app: string, label: string, page: string): Promise<URL>
   try {
     if (typeof text === 'string') address = new URL(text, list);
   } catch {
-    // invalid address in `apps.json`
+    // an invalid address in `apps.json` counts as none
   }
   if (!address || !/^https?:$/.test(address.protocol)) {
     throw new Error(`The address of ${label} is unknown: write it into ${shortText(list.href, 120)}.`);

@@ -31,7 +31,7 @@ export function decodedUri(uri: string): string {
 }
 
 /**
- * Packs a .gltf and the files that it names into one GLB, unchanged otherwise.
+ * Packs a .gltf and the files that it names into one GLB, which is otherwise equal to the .gltf.
  * @param bytes - the .gltf
  * @param find - returns the bytes of a file that the glTF names; null when missing
  * @throws Error naming every file that is missing

@@ -9,7 +9,7 @@ function textOf(bytes: Uint8Array): string {
  * Embeds the tilt file that a photometric file names (TILT=file) into it, unchanged otherwise.
  * @param bytes - the .ies
  * @param find - returns the bytes of the tilt file; null when missing
- * @returns the same bytes when it names none or the tilt file is missing, which reading the result reports
+ * @returns the same bytes when it names none or the tilt file is missing: reading the result reports that
  * @see ANSI/IES LM-63-19: TILT=INCLUDE
  */
 export async function packIES(
@@ -21,7 +21,7 @@ export async function packIES(
   const name = tiltFileOf(text);
   const tilt = name === null ? null : await find(name);
   if (tilt === null) return bytes;
-  // DOS text files end with the byte 0x1A
+  // cuts off the end of the text, which is the byte 0x1A in DOS files
   const numbers = textOf(new Uint8Array(tilt)).replace(/[\0-\x20]+$/, '');
   const packed = text.replace(/^[ \t]*TILT[ \t]*=.*$/im, () => `TILT=INCLUDE\r\n${numbers}`);
   return Uint8Array.from(packed, (character) => character.charCodeAt(0)).buffer;

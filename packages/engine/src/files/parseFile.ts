@@ -33,7 +33,7 @@ function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    // the browser's error message would quote binary data
+    // binary data get a message of their own, since the browser's would quote them
     const isBinary = /[\0-\b\ufffd]/.test(text.slice(0, 1000));
     const reason = isBinary ? 'it is not text' : shortText((cause as Error).message, 120);
     const problem = `is not JSON: ${reason}. Choose a scene that was saved by Farol.`;

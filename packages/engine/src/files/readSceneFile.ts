@@ -21,7 +21,7 @@ export const isContainer = (bytes: Uint8Array<ArrayBuffer>): boolean => isInZip(
 
 /**
  * Reads a scene file: a `.farol` container, or plain JSON. `deserialize` checks the scene; pass it `fileOf` too.
- * @param mayUnpack - called before a large container is unpacked; large ones are refused when absent. See
+ * @param mayUnpack - called before a large container is unpacked; without it, large ones are refused. See
  *   `unpackLimits`
  * @throws FileError (as a rejection) when the bytes are neither, are cut short, or become too large; AbortError when
  *   `mayUnpack` returns false

@@ -30,7 +30,7 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
 const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
   Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
-/** Copies a view, with members in a fixed order. */
+/** Copies a camera bookmark, with members in a fixed order. */
 const fileView = (place: number, { name, position, target, fov, orthographic }: SceneView): FileView => ({
   ...{ place, name, fov, orthographic },
   position: [position[0], position[1], position[2]],
@@ -69,7 +69,7 @@ export function assetInFile(asset: FieldAsset): FileAsset {
 
 /** Path of an asset in a container. Any name gives a safe path, also '..' or a lone surrogate. */
 function pathInContainer(name: string): string {
-  // a percent sign before 'u' occurs in no other path
+  // a lone surrogate becomes '%u' and its code; after '%', encodeURIComponent writes hex digits only, so no paths clash
   const path = name
     .split(/([\ud800-\udfff])/u)
     .map((part, i) => (i % 2 === 1 ? `%u${part.charCodeAt(0).toString(16)}` : encodeURIComponent(part)))

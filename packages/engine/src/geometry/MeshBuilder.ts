@@ -27,7 +27,7 @@ export class MeshBuilder {
   }
 
   /**
-   * A grid of `columns` × `rows` cells over a surface, facing du × dv.
+   * Adds a grid of `columns` × `rows` cells over a surface, whose front faces towards (∂f/∂u) × (∂f/∂v).
    * @param size - texture coordinates at u = 1 and v = 1
    */
   surface(columns: number, rows: number, f: Surface, size: readonly [number, number] = [1, 1]): this {

@@ -6,8 +6,8 @@ import { type Places, weldPositions } from './weldPositions';
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 /**
- * Greatest number of corners at one position that are compared with each other. At positions with more (a scan with one
- * far outlier welds all other points) each corner gets its face's normal.
+ * Greatest number of corners at one position that are compared with each other. At positions with more (with one far
+ * outlier, all other points of a scan count as one position) each corner gets its face's normal.
  */
 const MOST_COMPARED = 1024;
 

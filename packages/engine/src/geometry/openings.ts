@@ -33,6 +33,6 @@ export function fitOpening(asked: OpeningSize, length: number, height: number): 
   return { from: middle - width / 2, to: middle + width / 2, bottom, top };
 }
 
-/** Whether a hole contains a point of a wall: its distance along the wall from the middle, and its height (m). */
+/** Whether a hole contains the point of a wall that is `along` (m) from its middle and `up` (m) above the floor. */
 export const isInOpening = ({ from, to, bottom, top }: Opening, along: number, up: number): boolean =>
   along > from && along < to && up > bottom && up < top;

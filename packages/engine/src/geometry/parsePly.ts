@@ -9,7 +9,7 @@ const HEADER = 65_536;
 
 const isGzip = (bytes: Uint8Array): boolean => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
-/** @throws Error when the data are too short for the header's counts, all of which the loader loops over */
+/** @throws Error when the data are too short for a count in the header, to which the loader would loop all the same */
 function checkHeader(data: ArrayBuffer): void {
   const text = new TextDecoder('latin1').decode(new Uint8Array(data, 0, Math.min(HEADER, data.byteLength)));
   const end = text.search(/^end_header\b/m);

@@ -17,7 +17,7 @@ export const absurdSize = ({ elements }: Matrix4, reach = 1): boolean =>
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Elements checked between two chances to yield to the page. */
+/** Number of elements that are checked before the check may yield to the page. */
 const STEP = 16_384;
 
 /** Largest absolute coordinate of some points; NaN when one is not a number. */

@@ -13,7 +13,7 @@ export function signatureOf(bytes: ArrayBuffer): string | null {
 
 /**
  * Checks that a file's content does not contradict its name.
- * @param wanted - format by the file's name, none that `signatureOf` recognises
+ * @param wanted - format by the file's name, which is not one that `signatureOf` recognises
  * @throws Error when the file is empty, or a picture
  */
 export function checkSignature(bytes: ArrayBuffer, wanted: string): void {

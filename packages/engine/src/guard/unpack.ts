@@ -27,7 +27,7 @@ export type MayUnpack = (sizes: UnpackQuestion) => boolean | Promise<boolean>;
 const megabytes = (bytes: number): string =>
   bytes < 1e6 ? `${counted(Math.ceil(bytes / 1e3))} kB` : `${counted(Math.round(bytes / 1e6))} MB`;
 
-/** 'from 390 kB to 400 MB', for questions and messages. */
+/** Packed and unpacked size as text for questions and messages: 'from 390 kB to 400 MB'. */
 export const sizesText = ({ packed, unpacked }: UnpackQuestion): string =>
   `from ${megabytes(packed)} to ${megabytes(unpacked)}`;
 

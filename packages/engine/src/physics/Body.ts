@@ -283,12 +283,12 @@ export class Body implements BodyControl {
       state[SHOWN + i] = from[i];
       isTurned = true;
     }
-    // three recomputes Euler angles with each change of the quaternion
+    // set only if the rotation changed, since three then recomputes the Euler angles
     if (isTurned) object3D.quaternion.set(from[3], from[4], from[5], from[6]);
     this.isSettled = this.wasSleeping && !this.movedInStep;
   }
 
-  /** Rebuilds the watch of the object for its new parent. */
+  /** Makes a new ObjectWatch, for the object's new parent. */
   objectMoved(): void {
     this.watch = new ObjectWatch(this.object.object3D);
     this.noteShown();

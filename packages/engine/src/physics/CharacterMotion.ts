@@ -89,7 +89,7 @@ export class CharacterMotion {
     if (step === 0) return;
     this.steer(seconds);
     desiredMove.copy(velocity).multiplyScalar(seconds);
-    // carried by the body below it
+    // adds how far the body below has carried the character
     this.ground?.carry(body, desiredMove);
     controller.computeColliderMovement(
       this.capsule.rapier,

@@ -169,7 +169,7 @@ export function makeCapsule(
   }
   const half = Math.max((component.height * along) / 2 - radius, 0.001);
   const desc = Desc.capsule(half, radius).setTranslation(place.x, place.y, place.z);
-  // the controller keeps a distance and reports contacts itself; Rapier reports sensors
+  // Rapier reports only sensors; other contacts are the controller's to report, as it keeps a distance
   desc.setActiveEvents(listens(object) ? ActiveEvents.COLLISION_EVENTS : ActiveEvents.NONE);
   return {
     component: null,

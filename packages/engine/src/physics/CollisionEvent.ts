@@ -3,8 +3,8 @@ import type { GameObject } from '../core/GameObject';
 import type { ColliderPart } from './PhysicsParts';
 
 /**
- * Argument of a component's `onCollisionEnter(event)` and `onCollisionExit(event)`, and where one of the two colliders
- * is a sensor `onTriggerEnter(event)` and `onTriggerExit(event)`. They are called on the components of the object with
+ * Argument of a component's `onCollisionEnter(event)` and `onCollisionExit(event)`; where one of the two colliders is a
+ * sensor, of `onTriggerEnter(event)` and `onTriggerExit(event)`. They are called on the components of the object with
  * the collider, and of the object with the RigidBody that the collider belongs to.
  */
 export interface CollisionEvent {

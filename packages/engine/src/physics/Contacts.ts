@@ -56,7 +56,7 @@ export class Contacts {
     this.touches.splice(first, sorted.length, ...sorted);
   }
 
-  /** Adds a contact of a character, which Rapier does not report. @param normal - from the second to the first */
+  /** Adds a contact of a character, which Rapier does not report. @param normal - from `two` to `one` */
   touch(
     one: ColliderRecord,
     two: ColliderRecord,

@@ -136,12 +136,13 @@ export function makeJoint(
   return { component, body, partner, rapier: joint, cone };
 }
 
-/** The shortest lever of a cone limit (m). */
+/** Least distance (m) from a cone limit's anchor to the points that its rope joins. */
 const LEVER = 0.05;
 
 /**
- * Limits a ball joint to a cone, which Rapier lacks in JavaScript: a rope between two points on the axis, one at each
- * side of the anchors, tightens as the axis tilts. It is stiffest level with the body's centre of mass.
+ * Limits a ball joint to a cone, which Rapier lacks in JavaScript: a rope joins a point on the axis in one body with
+ * the same point in the other, and tightens as the axis tilts. The point is level with the body's centre of mass, where
+ * the limit is stiffest.
  */
 function coneOf({ JointData: Data }: Rapier, angle: number, from: LocalFrame, to: LocalFrame, body: Body): JointData {
   const { x, y, z } = body.rapier.localCom();

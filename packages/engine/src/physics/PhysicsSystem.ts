@@ -70,7 +70,7 @@ export class PhysicsSystem implements SceneSystem {
     return this.preparing;
   }
 
-  /** Records a component that was added, removed, switched or changed, for the next update of the world. */
+  /** Records a component that was added, removed, switched on or off, or changed, for the next update of the world. */
   componentChanged(component: Component): void {
     this.revision++;
     if (this.world) this.changed.add(component);

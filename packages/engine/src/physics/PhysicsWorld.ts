@@ -18,7 +18,7 @@ import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './Ph
 export const STEP = 1 / 60;
 /** Greatest number of steps per frame, as in an App's longest frame; further time is dropped. */
 const MOST_STEPS = 6;
-/** Share of a step that a frame may be short of and still run that step, since frame times are not exact. */
+/** A step runs even if the frame's time falls short by this share of a step, since frame times are not exact. */
 const TOLERANCE = 1e-6;
 
 /** Part of PhysicsSystem that PhysicsWorld uses. */
@@ -217,7 +217,7 @@ export class PhysicsWorld {
     }
     for (const component of parts.doubled) this.attempt(component, () => refuseDouble(component));
     changed.clear();
-    // queued calls on new bodies need their mass
+    // only now, since calls that were queued for new bodies need the bodies' mass
     for (const body of this.bodyList) controlledBy(body, body);
   }
 

@@ -20,7 +20,7 @@ export const vectorOf = ([x, y, z]: readonly [number, number, number]): { x: num
 });
 
 /**
- * Makes a body at an object's pose, without the RigidBody fields that may change later.
+ * Makes a body at an object's pose, without applying the RigidBody fields that may change later.
  * @throws Error naming the object when its pose is not finite
  */
 export function makeBody(rapier: Rapier, world: World, object: GameObject, component: BodyPart): Body {

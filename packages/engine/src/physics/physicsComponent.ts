@@ -5,7 +5,7 @@ import { PhysicsSystem } from './PhysicsSystem';
 
 /**
  * The base class of a component that takes part in the physics of its scene, with these fields: it notifies the
- * PhysicsSystem when it is added, removed, switched or changed. Overrides of its methods must call `super`.
+ * PhysicsSystem when it is added, removed, switched on or off, or changed. Overrides of its methods must call `super`.
  * @throws Error as `component` does
  */
 export function physicsComponent<const F extends FieldTable>(fields: F): ComponentBase<F> {

@@ -22,7 +22,7 @@ const isTouchScreen = (): boolean => globalThis.matchMedia?.('(pointer: coarse)'
 
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
 
-/** Renderer of a three scene: a FarolRenderer, or several side by side. */
+/** Draws a three scene: a FarolRenderer, or an object that draws with several of them side by side. */
 export interface ScenePainter {
   render(scene: ThreeScene, camera: Camera): void;
 }
@@ -34,8 +34,8 @@ export interface PictureRendererOptions {
   /** Called when a technique, effect or asset of the scene cannot be drawn; the console is warned when absent. */
   readonly failed?: (error: unknown) => void;
   /**
-   * Default true. False leaves technique, anti-aliasing, ambient occlusion and the like to the host, for thumbnails of
-   * the same scene.
+   * Whether the scene's technique, anti-aliasing, ambient occlusion and the like are applied. Default true; false
+   * leaves them to the host, as for thumbnails of the same scene.
    */
   readonly followsRendering?: boolean;
 }
@@ -112,7 +112,7 @@ export class PictureRenderer {
     this.renderPlain(painter, scene, camera);
   }
 
-  /** Applies the scene's technique again in the next frame, since it may have been registered meanwhile. */
+  /** Applies the scene's technique again in the next frame, as a plugin may have registered it after the last frame. */
   retakeTechnique(): void {
     if (this.technique !== 'auto') this.technique = '';
   }
@@ -274,7 +274,7 @@ export class PictureRenderer {
 
   private makeChain({ PictureChain }: NonNullable<typeof late.code>): PictureChain {
     const { webgl } = this.farol;
-    // must be freed before the context is restored: three would delete them in the new context
+    // the chain must be freed before the context is restored: three would else delete its textures in the new context
     webgl.domElement.addEventListener('webglcontextlost', this.free);
     return new PictureChain(webgl, this.redraw);
   }

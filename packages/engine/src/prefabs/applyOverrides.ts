@@ -57,7 +57,7 @@ export function planApplyAll(instance: GameObject): PrefabPlan {
 const sameLink = (a: PrefabLink | null, b: PrefabLink): boolean =>
   a?.prefab === b.prefab && a.source === b.source && !a.pinned;
 
-/** An instance's link to its prefab without the pin of one field, which then follows the prefab again. */
+/** An instance's link to its prefab without one of its `pinned` paths, whose field then follows the prefab again. */
 export function withoutPin(link: PrefabLink, path: string): PrefabLink {
   const { prefab, source } = link;
   const pinned = link.pinned?.filter((each) => each !== path) ?? [];

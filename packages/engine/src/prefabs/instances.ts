@@ -41,6 +41,6 @@ export const keyOf = (component: Component): string => componentKey(component.ga
 /** Paths of values that each instance has for itself: position, rotation and name of its root. */
 const instancePaths: ReadonlySet<string> = new Set(['name', 'Transform.position', 'Transform.rotation']);
 
-/** Whether a value is never an override. @param path - 'name', 'Light.intensity' */
+/** Whether a value belongs to each instance itself and is never an override. @param path - as 'Light.intensity' */
 export const isOwnOfInstance = (source: string, prefab: string, path: string): boolean =>
   source === prefab && instancePaths.has(path);

@@ -23,9 +23,9 @@ export function componentsOf(object: FileObject): Map<string, FileComponent> {
 }
 
 /**
- * Value of a field in data that omit defaults; references are converted to ids of an instance. The default for a value
- * that the field of an edited script no longer allows; undefined for a value of an unknown class that the data do not
- * have.
+ * Value of a field in data that omit defaults; references are converted to ids of an instance. A value that the field
+ * of an edited script no longer allows counts as the default; a value of an unknown class that the data do not have is
+ * undefined.
  */
 export function valueIn(
   component: FileComponent,
@@ -43,8 +43,8 @@ export function valueIn(
 const sourcesOfViews = ['surface', 'model', 'parts'];
 
 /**
- * Names of the fields by which a component is compared with data: views (uniforms, morph weights) one by one if all
- * have the same views, else the fields that store them.
+ * Names of the fields by which a component is compared with data: views (uniforms, morph weights) one by one if all the
+ * compared components have the same views, else the fields that store them.
  */
 export function comparedFields(own: Component, ...others: readonly FileComponent[]): string[] {
   const { fields } = own;

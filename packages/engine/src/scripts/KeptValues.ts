@@ -6,9 +6,9 @@ import { unknownClass } from '../core/UnknownComponent';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** Values of a component when it left a class. */
+/** Values of a component before and after it was replaced by one of another class. */
 interface Past {
-  /** Values on leaving the class, and values given in the next class. */
+  /** Values in the earlier class; `next` has those given in the next class, `kept` the `Memory.kept` of that time. */
   readonly left: Values;
   readonly next: Values;
   readonly kept: ReadonlyMap<string, FieldValue>;
@@ -19,7 +19,7 @@ interface Memory {
   readonly kept: Map<string, FieldValue>;
   /** Initial values of the present class's fields. */
   initialValues: Values;
-  /** Values when the component left each class, by the class's origin (its script text). */
+  /** For each class that the component has had, by the class's origin (its script text): its values at the end. */
   readonly pasts: Map<object | null, Past>;
 }
 
@@ -31,8 +31,8 @@ export class KeptValues {
   private readonly memories = new WeakMap<Component, Memory>();
 
   /**
-   * Replaces a component by one of another class, or by stored data (null). A component whose values are unchanged
-   * since it left a class gets back its values in that class.
+   * Replaces a component by one of another class, or by stored data (null). Where the next class is one that it had
+   * before, and its values have not been changed since, it gets back its values in that class.
    *
    * @param from - origin of the present class, equal for equal script texts; null for stored data
    * @param origin - origin of the next class

@@ -39,7 +39,7 @@ class Entry {
   private readonly lastGood = new Map<string, ScriptFunction | null>();
   /** Source text that is being compiled; null when none is. */
   pending: string | null = null;
-  /** Function of the running module; `name` is the module's name. */
+  /** Function whose call made the running module; `name` is that module's name. */
   run: ScriptFunction | null = null;
   name = '';
   componentClass: ComponentClass | null = null;
@@ -100,7 +100,7 @@ export class SceneScripts {
     private readonly options: SceneScriptsOptions,
   ) {
     this.running = options.isOn ?? true;
-    // keeps `import * as` from wrapping these modules
+    // `__esModule` keeps compiled `import * as` from wrapping the host's modules
     const given = Object.entries(options.modules).map(
       ([name, module]) => [name, { ...module, __esModule: true }] as const,
     );
@@ -227,7 +227,7 @@ export class SceneScripts {
       for (const entry of entries) {
         if (entry.pending === null && !entry.results.has(entry.asset.source)) void this.compile(entry);
       }
-      // a script whose text has just been compiled may be imported by others
+      // scripts may import each other: none runs until all texts are compiled
       if (entries.some(({ isWaiting }) => isWaiting)) return this.tell();
     }
     this.apply();

@@ -1,5 +1,6 @@
-/** Widths of lightmaps to choose from (texels). */
 import { asset, boolean, choice, number } from '@farol/editing/fields';
+
+/** Widths of lightmaps to choose from (texels). */
 export const lightmapSizes = ['64', '128', '256', '512', '1024', '2048', '4096'] as const;
 
 /** Fields for the baked light of a scene, and for the options of a bake. */

@@ -29,7 +29,7 @@ import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from '../frame/displayTransfer.glsl?raw';
 import { isDrawnAsCanvas, setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
-/** Picture of each renderer, keyed by the renderer's twin cache. */
+/** Picture of each renderer, keyed by the renderer's cache of twins (materials with Farol's programs). */
 const pictures = new WeakMap<Frame['twins'], Picture>();
 
 /**
@@ -87,7 +87,7 @@ export class Picture {
       this.users++;
       return;
     }
-    this.users = 1; // set, not incremented: an exception in the last frame may have left another number of users
+    this.users = 1; // set to 1, not incremented: an exception in the last frame may have left some
     const { webgl } = frame;
     this.hostTarget = frame.target;
     this.hostFace = frame.face;
@@ -108,14 +108,14 @@ export class Picture {
   }
 
   /**
-   * Whether the rest of a frame can be drawn directly to the host's target: a single effect uses the picture, and pixels have
-   * equal coordinates in both.
+   * Whether the rest of a frame can be drawn directly to the host's target: a single effect uses the picture, and a
+   * pixel has the same coordinates in the picture and in the host's target.
    */
   get isAlone(): boolean {
     return this.users === 1 && this.hostViewport.x === 0 && this.hostViewport.y === 0;
   }
 
-  /** Whether a single effect uses the picture at this point: its result is the finished one. */
+  /** Whether a single effect uses the picture at this point: its result is the finished picture. */
   get isLast(): boolean {
     return this.users === 1;
   }
@@ -137,11 +137,11 @@ export class Picture {
     uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     uniforms.farol_encode.value = this.toDisplay && !this.encoded;
     const material = this.present.material(frame);
-    // replaces the host's earlier content, or is blended over it
+    // the picture replaces the host's earlier content where it was cleared, else it is blended over that content
     material.blending = this.clears ? NoBlending : CustomBlending;
     material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();
-    // three has cleared the picture's target in place of the host's
+    // three has cleared the stencil of the picture's target only; the host's is cleared here
     if (goesOn && this.clears && webgl.autoClearStencil) webgl.clear(false, false, true);
     const samples = goesOn && frame.wantsSampleDepths;
     material.depthWrite = !samples;
@@ -164,7 +164,7 @@ export class Picture {
     this.present.dispose();
   }
 
-  /** Target in the format of the canvas, or of render targets, to which three draws linear light without tone mapping. */
+  /** Target like the canvas, with three's tone mapping and encoding, or like a host's render target of linear light. */
   private targetFor(frame: Frame): WebGLRenderTarget {
     const { webgl, target: host } = frame;
     const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;

@@ -5,14 +5,14 @@ export interface EffectField {
   readonly kind: 'number';
   /** Name of the effect's property. */
   readonly property: string;
-  /** Name in menus. */
+  /** Name of the setting in menus. */
   readonly label: string;
-  /** One line of help. */
+  /** One line of help on the setting. */
   readonly help: string;
   readonly default: number;
-  /** SI unit; none for a pure number. */
+  /** SI unit of the setting; absent for a pure number. */
   readonly unit?: string;
-  /** Smallest allowed value. */
+  /** Smallest allowed value of the setting. */
   readonly min: number;
   readonly max: number;
   readonly step: number;
@@ -26,9 +26,9 @@ export interface EffectColour {
   readonly kind: 'colour';
   /** Name of the effect's property. */
   readonly property: string;
-  /** Name in menus. */
+  /** Name of the colour in menus. */
   readonly label: string;
-  /** One line of help. */
+  /** One line of help on the colour. */
   readonly help: string;
   /** Linear red, green and blue. */
   readonly default: [number, number, number];
@@ -36,15 +36,15 @@ export interface EffectColour {
 
 /** Entry of an effect for menus and scene files; `load` fetches its code. */
 export interface EffectEntry {
-  /** Name in menus. */
+  /** Name of the effect in menus. */
   readonly label: string;
-  /** One line of help. Default: the label says all. */
+  /** One line of help on the effect. Default: none, where the label says all. */
   readonly help?: string;
-  /** Group of entries of which at most one is used at a time. Default: no group. */
+  /** Group of effects of which at most one is used at a time. Default: no group. */
   readonly group?: 'antialiasing';
   /** Name of the effect's switch in the settings of a scene. Default: no switch. */
   readonly setting?: string;
-  /** Short name of the switch, for addresses. Default: `setting`. */
+  /** Short name of the switch, for URLs. Default: `setting`. */
   readonly short?: string;
   /** Numbers and colours that menus set, by their names in the settings of a scene. */
   readonly fields?: Readonly<Record<string, EffectField | EffectColour>>;
@@ -54,7 +54,7 @@ export interface EffectEntry {
   readonly needs?: 'depth' | 'gbuffer';
   /** Number of frames after which the picture of a still scene no longer changes. Default 1. */
   readonly stillFrames?: number;
-  /** Fetches the class of the effect. @throws Error (as a rejection) when it cannot be fetched; try again */
+  /** Fetches the class of the effect. @throws Error (as a rejection) when that fails; a later call tries again */
   load(): Promise<EffectClass>;
 }
 

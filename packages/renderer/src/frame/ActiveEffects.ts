@@ -7,7 +7,7 @@ const NOTHING: readonly never[] = [];
 /** Effects of a frame, with their requests as lists; a new object when the host's list changes. */
 export interface ActiveEffects {
   readonly all: readonly FarolEffect[];
-  /** Effects that adapt twins. */
+  /** Effects that may replace the kind of twin (Farol's material for the host's) of a draw. */
   readonly adapters: readonly TwinAdapter[];
   /** G-buffer attachments of the effects, as many as the device has room for. */
   readonly attachments: readonly GBufferAttachment[];

@@ -7,7 +7,7 @@ export interface AtlasTile {
   /** Index of the face or cascade, from 0; `count`: their number. */
   readonly index: number;
   readonly count: number;
-  /** Rectangle (texels). */
+  /** Rectangle of the tile in the atlas (texels). */
   readonly region: Readonly<{ x: number; y: number; width: number; height: number }>;
   /** Camera of a shadow map; null for images. */
   readonly camera: Camera | null;

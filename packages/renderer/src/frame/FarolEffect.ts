@@ -12,7 +12,7 @@ import type { TwinKind } from '../materials/TwinKind';
  * 'final'. An effect object belongs to one FarolRenderer.
  */
 export interface FarolEffect {
-  /** Name in `FarolInfo.passes`. */
+  /** Name of the effect in `FarolInfo.passes`. */
   readonly name: string;
   /** Resources; `render` is called after each pass of the frame that writes one of them. */
   readonly after?: readonly Resource[];
@@ -23,9 +23,9 @@ export interface FarolEffect {
    * unique among effects. Keep the objects: new ones cause new G-buffers. Default none.
    */
   readonly attachments?: readonly GBufferAttachment[];
-  /** True if `begin` sets `frame.camera`; at most one effect may, and none in XR sessions. Default false. */
+  /** True if `begin` sets `frame.camera`; at most one effect may, and no effect in XR sessions. Default false. */
   readonly movesCamera?: boolean;
-  /** True if the effect works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
+  /** True if the effect works on a G-buffer: 'auto' then picks a technique that has a G-buffer. Default false. */
   readonly needsSurfaces?: boolean;
   /**
    * The end of the sentence "this device …" for a device that the effect cannot draw on, such as 'draws to no float colour

@@ -17,7 +17,7 @@ export interface FieldDraws {
   /** Estimated mean number of field lights over a pixel, at any depth. */
   readonly coverage: number;
   readonly bytes: number;
-  /** Whether the fields' lights have been drawn in this frame. */
+  /** Whether `render` has drawn the fields' lights into the light table in this frame. */
   readonly isDrawn: boolean;
   /** Draws the light table. Call inside three's `render` before any lit draw; restores the bound target. */
   render(): void;

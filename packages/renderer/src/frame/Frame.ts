@@ -67,7 +67,7 @@ export interface LateDraws {
 /** Shadow maps, as passes and views use them; implemented by ShadowMaps. */
 export interface TileShadows {
   /**
-   * Finds the lights that light all, or none, of each screen tile. Call once the light grid is written.
+   * Finds the screen tiles that a light's shadow map leaves wholly lit, or wholly dark. Call once the light grid is written.
    * @param gbuffer - G-buffer of the frame
    */
   findTileShadows(frame: Frame, gbuffer: GBuffer): void;
@@ -117,7 +117,7 @@ export class Frame extends FrameTarget {
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
-  /** Whether all shaders of the frame can read few lights from uniforms. */
+  /** Whether all shaders of the frame can read its lights from uniforms, if they are few (fewLights.glsl). */
   readsFew = false;
   /** Pixels that the technique fills in place of three's clear; null where three has cleared the target. */
   fills: Fills | null = null;
@@ -126,7 +126,7 @@ export class Frame extends FrameTarget {
 
   /** Receives draws whose pixels have no usable history; set in `begin` by TAA. */
   reactive: ReactiveMask<Frame> | null = null;
-  /** Bytes that passes have uploaded in this frame; each adds its own. */
+  /** Bytes that passes have uploaded in this frame; each pass adds its uploads. */
   uploadedBytes = 0;
   /** Bytes of a pixel of the frame's G-buffer, depth left out; 0 for none. */
   gbufferPixel = 0;
@@ -158,7 +158,7 @@ export class Frame extends FrameTarget {
   }
 
   override bindTarget(): void {
-    // the target is still bound by three
+    // three has bound the target for this frame: with few lights no draw to other targets has come before
     if (this.readsFew && this.webgl.getRenderTarget() === this.target) return;
     super.bindTarget();
     this.uniforms.farol_targetOrigin.value.set(0, 0);
@@ -253,7 +253,7 @@ export class Frame extends FrameTarget {
     return this.late.gouraudTwins(this.view);
   }
 
-  /** Draws an item forward: lit ones by a twin, others with their own material. */
+  /** Draws an item forward: a lit item by a twin of its material, any other with its own material. */
   drawForward(item: RenderItem, twins: ForwardTwins): void {
     const { material, shading } = item;
     const lit = shading === 'lit';
@@ -283,7 +283,7 @@ export class Frame extends FrameTarget {
     try {
       this.drawMesh(mesh, material);
     } finally {
-      // meshes of other renderers share this geometry
+      // restored, since meshes of other renderers share this geometry
       drawRange.count = count;
     }
   }
@@ -299,7 +299,7 @@ export class Frame extends FrameTarget {
     }
   }
 
-  /** Draws an item with a material, and calls the host's `onBeforeRender` and `onAfterRender` of both. */
+  /** Draws an item with a material, and calls `onBeforeRender` and `onAfterRender` of object and host's material. */
   drawItem(item: RenderItem, material: Material): void {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;

@@ -145,7 +145,7 @@ export class FrameTarget {
     this.gl.clearBufferfv(this.gl.COLOR, attachment, clearColor);
   }
 
-  /** Draws only to the lower right quarter from here on. */
+  /** Draws only to the lower right quarter of the viewport from here on. */
   quarter(): void {
     const { viewport } = this;
     const width = Math.max(1, viewport.z >> 1);

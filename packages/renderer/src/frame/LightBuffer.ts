@@ -7,7 +7,7 @@ export interface LightBufferUniforms extends ThinGBufferUniforms {
   farol_sums0: IUniform<Texture | null>;
   farol_sums1: IUniform<Texture | null>;
   farol_sums2: IUniform<Texture | null>;
-  /** Sums of area lights; null without area lights. */
+  /** Sums of the light of area lights at each texel; null without area lights. */
   farol_sums3: IUniform<Texture | null>;
   farol_lightGrid: IUniform<Vector4>;
 }

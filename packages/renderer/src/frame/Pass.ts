@@ -5,7 +5,7 @@ export type { Resource } from './Resources';
 
 /** One step of a technique. It owns its targets and programs. */
 export interface Pass extends ResourceUser {
-  /** Name in `FarolInfo.passes`. */
+  /** Name of the pass in `FarolInfo.passes`. */
   readonly name: string;
   /** Sources of the pass's own microshaders, by name. Default none. */
   readonly microShaders?: Readonly<Record<string, string>>;

@@ -45,7 +45,7 @@ export interface ShadowMaskMaterials {
   readonly twin: TwinKind;
 }
 
-/** Properties of a material, as read in the frame of that number. */
+/** Properties of a material, as read in the frame with the number `frame`. */
 interface MaterialLook {
   frame: number;
   rank: number;
@@ -239,7 +239,7 @@ export class RenderQueue {
     for (let i = 0; i < this.early; i++) if (isPlain(opaque[i])) opaque[i].route = 'forward';
   }
 
-  /** @param reversed - whether to reverse the sorted lists, as three does for reversed depth up to 0.185 */
+  /** @param reversed - whether to reverse the sorted lists, as three up to 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
     if (this.ordered) for (const item of this.opaque) item.rank = 0;
     if (this.opaque.length > 1) this.opaque.sort((opaque as typeof byState | null) ?? byState);

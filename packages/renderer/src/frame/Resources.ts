@@ -11,7 +11,7 @@ import type { RenderItem } from './RenderItem';
 export interface Resources {
   /** The host's render target, null for the canvas. Given from the start; `Frame.bindTarget` binds it. */
   target: WebGLRenderTarget | null;
-  /** Written by the pass that draws the surfaces of a G-buffer, or sums of their light, to the target. Has no value. */
+  /** Written by the pass that draws to the target a G-buffer's surfaces, or the sums of light on them. Has no value. */
   output: never;
   /** Written by the pass that draws the last opaque items to the target. Has no value. */
   opaque: never;

@@ -5,9 +5,9 @@ import type { LightOrder } from '../lighting/LightTable';
 
 /** A way of drawing: an array of passes, which share `frame.resources`. */
 export interface Technique {
-  /** Name in menus. */
+  /** Name of the technique in menus. */
   readonly label: string;
-  /** One line of help. */
+  /** One line of help on the technique. */
   readonly help: string;
   /** Order of lights in the table that the passes need. */
   readonly lightOrder: LightOrder;
@@ -15,7 +15,7 @@ export interface Technique {
   readonly needsFloatTargets: boolean;
   /** Pixels that the technique writes, so that three need not clear them; null for none. Default 'behind'. */
   readonly fills?: Fills | null;
-  /** Whether all shaders of the technique can read few lights from uniforms (fewLights.glsl), in place of a texture. Default false. */
+  /** Whether all shaders of the technique can read lights from uniforms, if few (fewLights.glsl). Default false. */
   readonly readsFew?: boolean;
   /**
    * Late code of the technique, fetched at its first use; until it is loaded the technique that drew the scene last draws, or

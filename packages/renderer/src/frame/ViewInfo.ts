@@ -3,13 +3,13 @@ import type { View } from './views';
 
 /** A rectangle of a view that shows several maps, slices or sums beside one another. */
 export interface ViewTile {
-  /** Left edge, as a share of the view's width. */
+  /** Left edge of the rectangle, as a share of the view's width. */
   x: number;
-  /** Upper edge, as a share of the view's height, from above. */
+  /** Upper edge of the rectangle, from the view's upper edge, as a share of the view's height. */
   y: number;
-  /** Share of the view's width. */
+  /** Width of the rectangle, as a share of the view's. */
   width: number;
-  /** Share of the view's height. */
+  /** Height of the rectangle, as a share of the view's. */
   height: number;
   /** English name, in which `{number}`, `{count}`, `{near}` and `{far}` stand for the values below. */
   label: string;

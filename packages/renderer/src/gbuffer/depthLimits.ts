@@ -1,4 +1,4 @@
-/** Distances from the far end of depth (1) that may be rounded to it: some steps of 24 bits, and of 16 bits. */
+/** Distances from the far end of depth (1) within which depth may be rounded to 1, if stored in 24 bits, in 16 bits. */
 const STEPS_24 = 2 ** -22;
 const STEPS_16 = 2 ** -14;
 /** Ratio of far to near plane from which on positions are not computed from depth. */

@@ -173,7 +173,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
   }
 }
 
-/** Shared uniforms of a pass. Others are left out, so that their textures are not bound while the pass may write them. */
+/** Shared uniforms of a pass. Other uniforms are left out, so that their textures are not bound while the pass may write them. */
 function sharedOf({ uniforms }: MeshDrawer, shared: 'all' | readonly string[] = []): Uniforms {
   if (shared === 'all') return { ...uniforms };
   return Object.fromEntries(shared.map((name) => [name, uniforms[name]]));

@@ -30,7 +30,7 @@ export interface PassMaterialOptions extends Pick<
 }
 
 const PRECISION = `${FULL_PRECISION}precision highp sampler2D;\nprecision highp usampler2D;\n`;
-// three's chunks are written for GLSL 1
+// three's chunks are written for GLSL 1: these macros replace its names by those of GLSL 3
 const GLSL1_NAMES = '#define texture2D texture\n#define varying in\n';
 
 /** Material whose `version` counts changes of three's chunks too. */

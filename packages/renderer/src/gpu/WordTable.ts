@@ -45,7 +45,7 @@ export class WordTable {
       this.texture.dispose();
       this.texture = this.make(made, withRoom(0, Math.ceil(rows * 1.25) + 1));
     }
-    // three has no handle of a new texture, nor of any after a lost context is restored
+    // three has no handle of a new texture, nor of any texture once a lost context is restored: all words are uploaded
     if (textureHandle(webgl, this.texture) === undefined) {
       webgl.initTexture(this.texture);
       this.version = -1;

@@ -27,7 +27,7 @@ export function lacksFloatTargets(webgl: WebGLRenderer): string | null {
 
 /** Whether 32-bit float colour targets can be drawn to and blended. */
 export function blendsFloats(gl: WebGL2RenderingContext): boolean {
-  // both, since some devices report float blending without float targets
+  // needs both extensions, since some devices report float blending without float targets
   return gl.getExtension('EXT_color_buffer_float') !== null && gl.getExtension('EXT_float_blend') !== null;
 }
 

@@ -32,7 +32,7 @@ function depthBytes({ depthTexture, depthBuffer, stencilBuffer }: WebGLRenderTar
 }
 
 /**
- * Bytes of a render target on the GPU: textures, depth, and both's samples if multisampled.
+ * Bytes of a render target on the GPU: its textures and depth, and if multisampled their samples too.
  * @param ownsDepth - false if the depth texture belongs to another target. Default true
  */
 export function targetBytes(target: WebGLRenderTarget, ownsDepth = true): number {

@@ -38,14 +38,14 @@ export function setUnprojectUniforms(uniforms: UnprojectUniforms, camera: Camera
   const t = Math.fround(p[14]);
   const perspective = p[11] !== 0;
   if (uniforms.farol_depthMode.value.x > 0) {
-    // (z zv + t) / -zv = e, or z zv + t = e
+    // depth of view z `zv`, in perspective (z zv + t) / -zv = e, else z zv + t = e, solved for zv
     if (perspective) uniforms.farol_unprojectZ.value.set(-t, 0, z, 1);
     else uniforms.farol_unprojectZ.value.set(-t, 1, z, 0);
   } else if (perspective) {
-    // (z zv + t) / -zv = 1 - 2e
+    // (z zv + t) / -zv = 1 - 2e, solved for zv
     uniforms.farol_unprojectZ.value.set(-t, 0, 1 + z, -2);
   } else {
-    // z zv + t = 1 - 2e
+    // z zv + t = 1 - 2e, solved for zv
     uniforms.farol_unprojectZ.value.set(1 - t, -2, z, 0);
   }
   if (perspective) uniforms.farol_unprojectXY.value.set(1 / p[0], 1 / p[5], p[8], p[9]);

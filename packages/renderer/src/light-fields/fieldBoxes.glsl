@@ -11,7 +11,7 @@ vec3 low = vec3(1e30);
 vec3 high = vec3(-1e30);
 for (int light = start; light < end; light++) {
   vec4 sphere = farol_lightSphere(farol_tileRun.x + light);
-  // skips lights without effect, which are placed beyond (fieldLight.glsl)
+  // skips lights without effect, which fieldLight.glsl places at x = 1e15 m
   if (sphere.x < 1e14) {
     // widened by rounding errors, as in the tests of single lights
     low = min(low, sphere.xyz - sphere.w * 1.001);

@@ -3,13 +3,13 @@
 uniform highp sampler2D farol_fieldSpheres;
 uniform highp sampler2D farol_fieldEmissions;
 uniform highp sampler2D farol_fieldCones;
-// x: number of lights; y: first row of the target; z: lights in a row of the textures; w: 1 if cones are set
+// x: number of lights; y: first row of the target; z: lights in a row of the textures; w: 1 with farol_fieldCones
 uniform highp ivec4 farol_fieldRun;
 uniform highp mat4 farol_fieldMatrix; // transform from the field's space to view space
 uniform highp vec3 farol_fieldColor;
 uniform highp vec4 farol_fieldPlanes[6]; // planes of the view frustum (view space), normals inward
 uniform highp mat4 farol_fieldProjection;
-uniform highp vec3 farol_fieldDepths; // x: depth of the first cell (m, or its log2); y: cells a unit; z: 1 if log2
+uniform highp vec3 farol_fieldDepths; // x: where the first cell begins (m, or log2 of m); y: cells a unit; z: 1 if log2
 layout(location = 0) out highp vec4 farol_fieldSphere;
 // rgb: linear colour times intensity (cd); a: decay, coded as in lights/lightRecord.ts
 layout(location = 1) out highp vec4 farol_fieldEmission;

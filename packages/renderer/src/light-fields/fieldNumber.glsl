@@ -1,4 +1,4 @@
-// Writes the number of a light.
+// Writes the index of the light for which a point is drawn.
 // Farol
 flat in highp float farol_fieldLight;
 layout(location = 0) out highp vec4 farol_fieldNumber;

@@ -5,7 +5,7 @@ uniform highp sampler2D farol_fieldSpheres;
 uniform highp sampler2D farol_fieldEmissions;
 uniform highp sampler2D farol_fieldCones;
 uniform highp sampler2D farol_fieldOrder;
-uniform highp ivec3 farol_fieldSlots; // x: first record of fields; y: number of these; z: 1 to read farol_fieldOrder
+uniform highp ivec3 farol_fieldSlots; // x: first record of fields; y: their number; z: 1 to read in farol_fieldOrder
 layout(location = 0) out highp vec4 farol_texel;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy);

@@ -3,7 +3,7 @@
 #include "lightTable"
 #include "lightVolumeWide"
 uniform highp int farol_firstRecord;
-uniform highp vec4 farol_fit; // from the picture's normalised device coordinates to the buffer's: xy scale, zw shift
+uniform highp vec4 farol_fit; // normalised device coordinates of the picture to those of the target: xy scale, zw shift
 flat out highp int farol_record;
 const int FAROL_CORNERS[60] = int[60](0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2,
   10, 7, 6, 7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1);

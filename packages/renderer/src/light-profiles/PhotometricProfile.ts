@@ -28,7 +28,7 @@ export class PhotometricProfile {
   name = '';
   /** Intensity in the brightest direction (cd), which is 1 in the texture. */
   readonly maximumIntensity: number;
-  /** Factor on the lamps' light at this tilt. */
+  /** Factor on the lamps' light at the profile's tilt. */
   readonly tiltFactor: number;
   private made: DataTexture | null = null;
 

@@ -1,4 +1,4 @@
-// Adds directional lights and lights without a range to every pixel, which the chunk before (volumeLighting) shades.
+// Adds directional lights and lights without a range at every pixel, by functions of the chunk before (volumeLighting).
 // Thesis 3.2.3.2
 #include "lightTable"
 #include "depthMode"

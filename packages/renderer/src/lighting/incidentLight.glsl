@@ -58,7 +58,7 @@ FarolLight farol_localLight(const in int record, const in vec3 positionVS) {
   light.extension = light.mask = 0;
   if (farol_lightIsPlain(emission)) {
     light.attenuation = farol_distanceAttenuation(lightDistance, range, farol_lightPlainDecay(emission));
-  } else { // a spot light, a light with an extension, or one with a mask
+  } else { // a spot or area light, a light with Farol's options (an extension), or a light with a mask
     vec4 cone = farol_lightCone(record);
     vec4 details = farol_lightDetails(record);
     light.mask = farol_lightMaskRecord(details);

@@ -12,8 +12,8 @@ const LEAST_RANGE = 1 << 20;
 const MOST_DEEP = 128;
 const EXTENTS = 256;
 /**
- * Number of lights in a page, which shaders read at once. Deep lights are tried when a depth reads LONG times as many pages as
- * if all lights were equally deep.
+ * Number of lights in a page, which shaders read at once. Deep lights are sought if a depth reads, on average, LONG
+ * times as many pages as it would if all lights had the mean `extent`.
  */
 const PAGE = 128;
 const LONG = 1.5;
@@ -100,7 +100,7 @@ export class DepthBins {
     for (let bin = 0; bin < BINS; bin++) countsBefore[bin + 1] += countsBefore[bin];
   }
 
-  /** Counting sort: deep lights, of an extent above `limit`, then the others by the middle of their depths. */
+  /** Counting sort: deep lights, of an extent above `limit`, then the other lights by the middle of their depths. */
   private rank(count: number, limit: number): void {
     const { keys, starts, order } = this;
     starts.fill(0);

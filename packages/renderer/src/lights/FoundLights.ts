@@ -6,7 +6,7 @@ export type Placed = NonNullable<Light['parent']>;
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export class FoundLights {
-  /** All managed lights of the frame: the first `count`; later ones are of an earlier frame. */
+  /** Lights of the frame that Farol draws (managed lights): the first `count`; later ones are of an earlier frame. */
   readonly all: Light[] = [];
   /** Number of lights of this frame in `all`. */
   count = 0;
@@ -17,9 +17,9 @@ export class FoundLights {
    * each; the first is NaN where unknown.
    */
   poses = new Float64Array(0);
-  /** Index of the first child of the scene that is not read ahead yet. */
+  /** Index of the first child of the scene whose data `LightReader` has not yet read ahead into the CPU's caches. */
   fetched = 0;
-  /** Managed lights that three's traversal would find: in `rest`, or below. */
+  /** Managed lights that three's traversal would find: those in `rest`, and descendants of the objects in it. */
   readonly nested: Light[] = [];
   /** Children of a Scene as root, without those that only hold managed lights; for another root, that root. */
   readonly rest: Placed[] = [];

@@ -1,4 +1,4 @@
-/** Mapping of a camera's slopes to tiles: `tile = slope × scale + offset`. */
+/** Mapping of slopes (view-space lateral distance / depth) to tiles of the screen: `tile = slope × scale + offset`. */
 export class GridFrame {
   tilesX = 0;
   tilesY = 0;

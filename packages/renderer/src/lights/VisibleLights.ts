@@ -35,7 +35,7 @@ export class VisibleLights {
   hasImages = false;
   /** Whether any `light.shadow` has a normal bias. */
   hasNormalBias = false;
-  /** Number of managed lights in the scene, and of those in this frame (ambient and hemisphere ones included). */
+  /** Number of managed lights (by Farol, not three) in the scene; `visible`: in this frame, ambient ones included. */
   total = 0;
   visible = 0;
   /** Number of managed lights in the scene without those of light fields. */

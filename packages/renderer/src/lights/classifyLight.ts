@@ -20,7 +20,7 @@ type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
  * | ambient, hemisphere | summed into four colours, no record |
  * | directional | over every pixel |
  * | unbounded | a point or spot light without a range: over every pixel |
- * | point | a point light with a range, as three has it; plain if it has no mask either |
+ * | point | a point light with a range, without `userData.farol`; plain if it has no mask either |
  * | extended-point | a point light with a range and `userData.farol` |
  * | spot | a spot light with a range |
  * | area | a RectAreaLight: a rectangle, a disc or a tube |
@@ -87,8 +87,8 @@ export interface LeftToThree {
 }
 
 /**
- * True for the lights that Farol keeps in its own table: they never change a program. three lights with the others: probes, and
- * the kinds in `left` until the code for them is loaded.
+ * True for the lights that Farol keeps in its own table: they never change a program. All other lights are left to
+ * three.js: probes, and the kinds in `left` until the code for them is loaded.
  */
 export function isManagedLight(light: Light, left: LeftToThree): boolean {
   // three has no code for light fields
@@ -115,7 +115,7 @@ export interface MaskSettings {
   readonly shadows: ShadowedLights;
   /** Finds lights that do not reach all objects; null if all lights do. */
   readonly layers: { separates(light: Light): boolean } | null;
-  /** Area lights; null until their code is loaded, while three lights with them. Default null. */
+  /** Radii of area lights; null until their code is loaded: three.js draws area lights until then. Default null. */
   readonly areas?: AreaRadii | null;
 }
 

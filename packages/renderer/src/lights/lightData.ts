@@ -6,9 +6,9 @@ export type LinearRGB = readonly [number, number, number];
 
 /** Attenuation of a local light, in place of three's physical falloff. Distances in metres. */
 export type FarolAttenuation =
-  /** 1 up to `near`, then linear, exactly 0 from `far` on. */
+  /** Factor: 1 up to `near`, then linear, exactly 0 from `far` on. */
   | { readonly kind: 'near-far'; readonly near: number; readonly far: number }
-  /** `1 / (constant + linear d + quadratic d²)`, 0 beyond `range`; `range` 0 means no limit. */
+  /** Factor: `1 / (constant + linear d + quadratic d²)`, 0 beyond `range`; `range` 0 means no limit. */
   | {
       readonly kind: 'polynomial';
       readonly constant: number;

@@ -13,7 +13,7 @@ export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
 export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
 
-/** In place of a light's index, for a record that lights nothing. */
+/** Number in place of a light's index, for a record that lights nothing. */
 export const NO_LIGHT = 0xffffffff;
 
 /** Cosines of cutoff and penumbra that mark a point light; no spot light has them. */
@@ -73,7 +73,7 @@ export const lightRecord = {
     isMasked: ['bool', 't.z > 0.0'],
     /** Whether the light is three's point light, still at the place where its shadow map was drawn. */
     isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
-    /** Whether the light is an area light, whose extension is its own. */
+    /** Whether the light is an area light, whose extension record has the layout `areaRecord`. */
     isArea: ['bool', 't.x < -2.5'],
   },
 } as const satisfies RecordLayout;
@@ -107,7 +107,7 @@ export const EXTENSION = {
 } as const satisfies Offsets<typeof extensionRecord>;
 
 /**
- * Fourth number of a local light's `emission`: its decay, coded as below 0 for a light that is not plain.
+ * Fourth number of a local light's `emission`: its decay, coded as a number below 0 for a light that is not plain.
  * @param decay - three's `decay`; below 0, light grows with distance, which makes a light not plain
  */
 export function emissionDecay(decay: number, isPlain: boolean): number {

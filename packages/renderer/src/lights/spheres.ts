@@ -1,6 +1,6 @@
 import { type Camera, type DirectionalLight, type Light, Matrix4, type SpotLight, Vector3 } from 'three';
 
-/** Cones wider than this are drawn and culled as spheres (rad). */
+/** Angle (rad) from axis to side above which cones are drawn and culled as spheres. */
 const WIDEST_CONE = 1.05;
 
 const lightward = new Vector3();

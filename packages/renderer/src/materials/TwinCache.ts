@@ -9,7 +9,7 @@ export class TwinCache {
   private readonly sources = new Map<number, WeakRef<Material>>();
 
   private revision = 0;
-  /** Number of frames in a row that began with changed shaders. */
+  /** Number of frames in a row that began after the page had changed three's shaders. */
   private changes = 0;
   /** Source, kind and twin of the last `get`: most draws have the same material as the draw before. */
   private lastSource: Material | null = null;

@@ -29,7 +29,7 @@ export function withHostUniforms(webgl: WebGLRenderer, source: Material, before:
   return uniforms;
 }
 
-/** Adopts the uniforms of a program that stock three has compiled for a material since. */
+/** Makes `added` refer to the uniforms of stock three's program for a material, when three has compiled a new one. */
 export function followHostUniforms(webgl: WebGLRenderer, source: Material): void {
   const stock = compiledUniforms(webgl, source);
   if (stock === undefined || stock === followed.get(source)) return;

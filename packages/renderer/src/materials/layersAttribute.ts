@@ -1,9 +1,6 @@
 import { beforeLastBrace } from '../three/beforeLastBrace';
 
-/**
- * Last but one of the 16 vertex attributes that WebGL 2 guarantees; objectAttribute.ts uses the last, three's materials need
- * fewer.
- */
+/** Last but one of WebGL 2's 16 vertex attribute locations (objectAttribute.ts has the last); three's materials need fewer. */
 const LOCATION = 14;
 
 const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_layersAttribute;\nflat out highp vec2 farol_objectLayers;\n`;

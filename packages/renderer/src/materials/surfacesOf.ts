@@ -20,7 +20,7 @@ export interface WornSurfaces {
   copyTimes(times: number[]): void;
   /** Greatest displacement of vertices (m, in the object's own space); Infinity if a surface does not declare it. */
   reach(): number;
-  /** Sets each surface's animation time (s) in the last frame, for motion vectors. */
+  /** Sets the animation time (s) that each surface had in the last frame, for motion vectors. */
   setTimesBefore(times: readonly number[]): void;
 }
 

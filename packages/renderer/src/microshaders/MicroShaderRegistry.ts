@@ -30,7 +30,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly edited = new Map<string, MicroShader | undefined>();
   private readonly swapped = new Map<string, MicroShader>();
   private replacements = 0;
-  /** Revision of each chunk's last replacement, and cache of the latest one among chunks and their dependencies. */
+  /** Revision at each chunk's last replacement; and, cached, the latest revision among a list of chunks and dependencies. */
   private readonly replacedAt = new Map<string, number>();
   private readonly revisions = new WeakMap<readonly string[], { at: number; revision: number }>();
   private readonly textKeys = new WeakMap<readonly string[], { revision: number; key: string }>();
@@ -73,7 +73,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
 
   /**
    * Adds one chunk from the text of a `.glsl` file, in the form of `parseMicroShader`.
-   * @param isEdit - whether the text is an edit of a chunk that late code adds later, and that `remove` then restores
+   * @param isEdit - whether the text edits a chunk that late code adds later; `remove` then restores that chunk
    */
   loadGLSL(name: string, text: string, isEdit = false): void {
     this.add(parseMicroShader(name, text));
@@ -295,7 +295,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     for (const listener of [...this.listeners]) listener(affected);
   }
 
-  /** The names and those of all dependencies, including unknown ones and cycles. */
+  /** The names and those of all dependencies, of unknown names and cycles too. */
   private withDependencies(names: readonly string[]): Set<string> {
     const all = new Set(names);
     // iterating a set also visits names added meanwhile

@@ -46,7 +46,7 @@ export class ShaderCache<Program> {
 
   /**
    * Composes and compiles the shaders that use any of the chunks, all of them or none.
-   * @param uses - whether a shader with these chunks is among them
+   * @param uses - whether a shader with the given chunks has to be recompiled
    */
   recompile(uses: (chunks: readonly string[]) => boolean): Recompiled {
     const made: { shader: MutableShader<Program>; source: ShaderSource; program: Program | null }[] = [];

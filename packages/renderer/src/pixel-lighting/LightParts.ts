@@ -40,7 +40,7 @@ export class LightParts {
     }
   }
 
-  /** The lights that draw some parts. */
+  /** Light objects that draw the given parts. */
   lightsOf(parts: readonly LightPart[]): Light[] {
     const lights: Light[] = [];
     const counts = new Map<LightField, number>();

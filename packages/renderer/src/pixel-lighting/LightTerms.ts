@@ -123,7 +123,7 @@ export function findTerms(
 
 type Add = (kind: LightTerm['kind'], held: { turnOff(): void; turnOn(): void }) => void;
 
-/** Adds fog, whose own light is its colour: in black it only dims. */
+/** Adds fog: its colour is the light that it adds; black fog only dims. */
 function addFog({ fog }: Scene, add: Add): void {
   const { color } = (fog ?? {}) as Partial<FogExp2>;
   if (color === undefined) return;

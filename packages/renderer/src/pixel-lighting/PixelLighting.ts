@@ -58,7 +58,7 @@ export interface PixelSurface {
   readonly material: Material;
   /** Point that the pixel shows (m, world space). */
   readonly point: Vector3;
-  /** Distance from the camera (m). */
+  /** Distance from the camera to the point (m). */
   readonly distance: number;
 }
 
@@ -74,7 +74,7 @@ export interface PixelProgram {
 export interface PixelLighting {
   /** Technique that drew the picture and its parts. */
   readonly technique: TechniqueName;
-  /** Column of the pixel, from the left edge; `y`: row, from the upper edge. */
+  /** Column of the pixel, counted from the left edge; `y`: row, from the upper edge. */
   readonly x: number;
   readonly y: number;
   /** Colour of the pixel as drawn by the technique: linear RGB, before tone mapping and encoding, without anti-aliasing. */

@@ -22,7 +22,7 @@ const WINDOW = 16;
 
 type Line = LineSegments & { readonly material: { readonly isLineMaterial?: boolean } };
 
-/** Whether an object's size or clipping depends on the target's, as for points and thick lines: not possible in a window. */
+/** Whether an object's size or clipping depends on the target's size, as for points and thick lines: no window then. */
 const goesByTarget = ({ object }: RenderItem): boolean =>
   (object as Points).isPoints === true || (object as Line).material.isLineMaterial === true;
 
@@ -32,7 +32,7 @@ const hasOwnShader = ({ ownShader }: RenderItem): boolean => ownShader;
 /** One pixel of a picture, drawn with any lights of the scene; in a small window of the picture if that gives the same colour. */
 export class PixelPicture {
   readonly parts: DrawnParts;
-  /** Whether parts are drawn as whole pictures, since the pixel depends on others. */
+  /** Whether parts are drawn as whole pictures, since the pixel depends on other pixels. */
   isWhole = false;
   readonly camera: Camera;
   private readonly whole: WebGLRenderTarget;

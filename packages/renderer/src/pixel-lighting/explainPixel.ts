@@ -146,7 +146,7 @@ class PixelWork {
     if (this.isLost) throw new Error('explainPixel: the WebGL context is lost; call it again once it is restored.');
   }
 
-  /** Draws the whole picture, then finds the terms to turn off again. */
+  /** Draws the whole picture, then finds anew the other sources of light, which are to be turned off. */
   private refresh(): void {
     const { picture, scene, camera } = this;
     picture.drawWhole();
@@ -196,12 +196,12 @@ class PixelWork {
     for (const term of this.terms) term.turnOn();
   }
 
-  /** Light of only some lights. */
+  /** Light that the pixel gets from the given lights alone. */
   private lightOf(lights: readonly Light[], isUnshadowed: boolean): Color {
     return less(this.picture.draw(lights, isUnshadowed), this.dark);
   }
 
-  /** Light that a negative light subtracts from the others. */
+  /** Light that a negative light takes from the light of the others. */
   private takenBy(light: Light): Pick<LightShare, 'color' | 'unshadowed'> {
     const { picture } = this;
     const others = picture.parts.found.filter((each) => each !== light);

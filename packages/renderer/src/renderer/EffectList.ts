@@ -5,10 +5,10 @@ import type { Session } from '../frame/Session';
 import { gbufferLayout } from '../gbuffer/gbufferLayout';
 import { drawBuffersOf } from '../gpu/checkDevice';
 
-/** The host's effects, and those that can be drawn; warns once of each effect that is left out. */
+/** The host's effects, and those of them that can be drawn; warns once of each effect that is left out. */
 export class EffectList {
   private list: readonly FarolEffect[] = [];
-  /** Copy of the list, and the target, for which `active` was made; the host may push to its list. */
+  /** Copy of the list for which `active` was made, with the target's traits below; the host may push to its list. */
   private known: readonly FarolEffect[] = [];
   private count = 0;
   private several = false;

@@ -1,7 +1,7 @@
 import type { ViewInfo } from '../frame/ViewInfo';
 import type { BudgetInfo } from './FrameBudget';
 
-/** Draws and times of one pass in the last frame. */
+/** Counts of draws and times of one pass in the last frame. */
 export interface PassInfo {
   /** Name of the pass; those of an XR session's second eye end in ", eye 2". */
   readonly name: string;
@@ -15,19 +15,19 @@ export interface PassInfo {
 
 /** Bytes that Farol holds on the GPU, by their use; three's own and the host's textures are not counted. */
 export interface MemoryInfo {
-  /** G-buffers, depth included. */
+  /** Bytes of G-buffers, depth included. */
   gbuffer: number;
-  /** Bytes of a pixel of the frame's G-buffer, depth (4 bytes) left out; 0 for none. */
+  /** Bytes of a pixel of the frame's G-buffer, depth (4 bytes) left out; 0 without a G-buffer. */
   gbufferPixel: number;
-  /** Other targets of techniques and views. */
+  /** Bytes of other targets of techniques and views. */
   targets: number;
-  /** Lists of lights by tile or cluster. */
+  /** Bytes of the lists of lights by tile or cluster. */
   lists: number;
-  /** Atlases of shadow maps, cookies and profiles, and the depth bounds of shadow maps. */
+  /** Bytes of the atlases of shadow maps, cookies and profiles, and of the depth bounds of shadow maps. */
   shadows: number;
-  /** Light tables, and the tables of area lights and light fields. */
+  /** Bytes of light tables, and of the tables of area lights and light fields. */
   lights: number;
-  /** Effects, anti-aliasing by the option `antialias` included. */
+  /** Bytes of effects' buffers, those of the option `antialias` included. */
   effects: number;
 }
 
@@ -53,22 +53,22 @@ export interface FarolInfo {
   gpuMs: number | null;
   /** Scale that `FarolOptions.budget` chose for the picture, and why; null without a budget. */
   budget: Readonly<BudgetInfo> | null;
-  /** Parts of a view of a buffer, or why it cannot be shown; null for the other views, and while their code is being fetched. */
+  /** Parts of the shown view of a buffer, or why it cannot be shown; null for other views, and while code is fetched. */
   view: ViewInfo | null;
-  /** Number of lights in the scene, and of those that may reach the view; both include all lights that LightFields draw. */
+  /** Number of lights in the scene, and of those that may light what the camera sees; each counts all lights of LightFields. */
   lights: { total: number; visible: number };
   /**
-   * Shadow maps drawn in this frame and their texels; maps kept from earlier frames; of these, maps whose depth bounds
-   * spare look-ups; bytes of the atlases.
+   * Numbers of shadow maps drawn in this frame, of their texels, of maps kept from earlier frames, and of kept maps whose depth
+   * bounds spare look-ups; bytes of the atlases.
    */
   shadows: { drawn: number; texels: number; kept: number; bounded: number; bytes: number };
-  /** Programs alive in the WebGLRenderer. */
+  /** Number of programs alive in the WebGLRenderer. */
   programs: number;
   /** Quality of the frame: 'lite' or 'full'. */
   quality: 'full' | 'lite';
   /** Bytes that Farol holds on the GPU, by use, counted on each read. */
   readonly memory: MemoryInfo;
-  /** Sum of `memory`. */
+  /** Sum of all kinds of `memory`. */
   readonly targetBytes: number;
   /** Bytes of light data uploaded in this frame. */
   uploadBytes: number;

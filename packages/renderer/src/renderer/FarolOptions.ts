@@ -12,24 +12,23 @@ export interface FarolOptions {
   /** The finished picture ('final'), or a view of how it is made. Default 'final'. */
   view?: View;
   /**
-   * 'lite': G-buffers of 14 bytes a pixel and depth in place of 20, with materials that these do not hold drawn forward, and
-   * shadow maps within 10 bytes a pixel of the picture. 'auto': 'lite' on a device that draws to no colour buffers of
-   * whole floats or to fewer than 8 colour buffers at once, has no textures of 8,192 texels a side, no `highp` in fragment shaders, or at most
-   * 2 GB of memory, and on one that is touched and has no finer pointer (phones, tablets, headsets); else 'full'. Default
-   * 'auto'.
+   * 'lite': G-buffers of 14 bytes a pixel and depth in place of 20, where materials that need more are drawn forward, and
+   * shadow maps within 10 bytes a pixel of the picture. 'auto': 'lite' on a device that draws to no colour buffers of 32-bit
+   * floats or to at most 7 colour buffers at once, has no textures of 8,192 texels a side, no `highp` in fragment shaders, or
+   * at most 2 GB of memory, and on one whose only pointers are coarse (phones, tablets, headsets); else 'full'. Default 'auto'.
    */
   quality?: Quality;
   /**
    * Holds a frame's time by drawing the scene at a smaller scale and enlarging the picture to the target's size:
    * `{ frame: 16.7, min: 0.5, max: 1 }` has milliseconds a frame, and limits of the scale along a side. `FarolInfo.budget` tells
-   * the scale at hand. Frames are timed by the GPU, else by the intervals between them, which tell something only if the host
-   * draws continuously. Default null: the scene is drawn at the size of its target.
+   * the present scale. Frames are timed by the GPU, else by the intervals between them, which tell a frame's time only if the
+   * host draws continuously. Default null: the scene is drawn at the size of its target.
    */
   budget?: FrameBudget | null;
   /**
    * Whether 'auto' learns which technique is faster on this GPU: where its rules are close to choosing another, that one draws
-   * up to 2% of the frames, timed. `localStorage` keeps what was learnt; `clearLearnt()` forgets it. Nothing is learnt without
-   * EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
+   * up to 2% of the frames and is timed. `localStorage` keeps what was learnt; `clearLearnt()` forgets it. Nothing is learnt
+   * without EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
    */
   learning?: boolean;
   /** Whether each pass is timed by EXT_disjoint_timer_query_webgl2. Default false: then a host's own time queries work. */
@@ -47,8 +46,8 @@ export interface FarolOptions {
    */
   shadowAtlasSize?: number | null;
   /**
-   * Shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only what is near
-   * the camera, a quarter as far as the next, in a map of the same size. Not for VSMShadowMap. Default 1, as in three.
+   * Number of shadow maps of each directional light, 1 to 4: the last covers the light's shadow camera, each earlier one only
+   * what is near the viewer, a quarter as far as the next, at the same size. Not for VSMShadowMap. Default 1, as in three.
    */
   shadowCascades?: number;
   /**
@@ -59,14 +58,15 @@ export interface FarolOptions {
    */
   lightLayers?: boolean;
   /**
-   * Whether techniques that shade a G-buffer, and so one sample a pixel, smooth edges by SMAA where the canvas (`antialias` of
-   * the WebGLRenderer) or the render target (`samples`) has more, unless one of `effects` does it. Other techniques are
-   * multisampled there as stock three is. Default true.
+   * Whether SMAA smooths edges for techniques that shade a G-buffer, and therefore only one sample a pixel, where the canvas
+   * (`antialias` of the WebGLRenderer) or the render target (`samples`) is multisampled and none of `effects` smooths edges.
+   * Other techniques are multisampled there as stock three is. Default true.
    */
   antialias?: boolean;
   /**
-   * A RectAreaLight without `userData.farol.range` ends where the irradiance of a surface that faces it falls to this: lists
-   * leave it out beyond. Up to half of that distance it is as bright as in three. With 0, none ends. Default 0.0002.
+   * A RectAreaLight without `userData.farol.range` ends at the distance where the irradiance of a surface that faces it falls
+   * to this (unit of `intensity` × steradian). Up to half of that distance it is as bright as in three. 0: no light ends.
+   * Default 0.0002.
    */
   areaLightThreshold?: number;
   /** Side of the lighting buffers of the technique 'inferred', as a share of the picture's: above 0, at most 1. Default 0.5. */

@@ -37,7 +37,7 @@ import type { Technique } from '../frame/Technique';
 import { TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
 
-/** Below this many draws and lights, `gl.flush()` costs more than it gains. */
+/** Up to this many draws, and as many lights, `gl.flush()` costs more than it gains. */
 const FEW = 16;
 
 /**
@@ -51,7 +51,7 @@ const FEW = 16;
 export class FarolRenderer extends EventDispatcher<FarolEvents> implements Required<FarolOptions> {
   /** Parts of the code that are fetched when a scene or setting first needs them, by the names that `preload` takes. */
   static readonly parts: readonly LazyPart[] = lazyCode.map(({ name }) => name);
-  /** Shader pieces of all draws; replacing one changes the next frame. */
+  /** Microshaders, pieces of GLSL, of all draws; replacing one changes the next frame. */
   readonly microshaders: MicroShaderRegistry;
   declare timing: boolean;
   declare heatMapMaximum: number;
@@ -74,8 +74,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private viewName: View = 'final';
   private xr: XRDraws | null = null;
   private disposed = false;
-  private isDrawing = false; // true within `render`: three draws nested calls, made by the host's callbacks
-  private session: Session | null = null; // set by `@farol/renderer/pixel-lighting` while it draws; else null
+  private isDrawing = false; // true within `render`: nested calls, made by the host's callbacks, are drawn by three
+  private session: Session | null = null; // set by `@farol/renderer/pixel-lighting` while that draws; else null
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
   private readonly begun = () => this.frame.takeOutputBuffer();
@@ -117,7 +117,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
   }
 
-  /** Key of the technique. @throws Error when unknown, or the device cannot run it */
+  /** Key of the technique. @throws Error when set to an unknown one, or one that the device cannot run */
   get technique(): TechniqueName {
     return this.picker.technique;
   }
@@ -150,7 +150,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (this.technique === name) this.technique = 'auto';
   }
 
-  /** @throws Error when set to no list of effects, or to effects that conflict, such as two that move the camera */
+  /** @throws Error when set to anything but a list of effects, or to conflicting ones, such as two that move the camera */
   get effects(): readonly FarolEffect[] {
     return this.effectList.hostEffects;
   }
@@ -168,10 +168,10 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (!views.includes(name)) throw unknownName('view', name, views);
     if (name !== 'final') checkDevice(this.webgl, true);
     this.viewName = name;
-    this.views.available(name); // begins to fetch the view's code
+    this.views.available(name); // begins to fetch the code of the view
   }
 
-  /** @throws Error when unknown */
+  /** @throws Error when set to an unknown quality */
   get quality(): Quality {
     return this.frame.quality;
   }
@@ -203,9 +203,9 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   /**
    * Fulfilled when the last frame had all code and programs that it needed and 'auto' is not changing technique: the same scene
    * drawn again gives the same picture, except for effects that gather frames. Each read returns a new promise. It waits for
-   * frames of the host's: for the first one, one after missing code or a lost context. Hosts that draw on demand draw again on
-   * the event 'redraw'. Rejected when a part of the code cannot be fetched, with an Error that names the part and the remedy
-   * (later frames and calls try again), and when this renderer is disposed.
+   * the host's next frame if none was drawn yet, if code was missing, or if the context was lost. Hosts that draw on demand
+   * draw again on the event 'redraw'. Rejected when a part of the code cannot be fetched, with an Error that names the part and
+   * the remedy (later frames and calls try again), and when this renderer is disposed.
    */
   get ready(): Promise<void> {
     return warmUpCode.load().then((code) => code.whenReady(this.last, this.picker, () => this.disposed));
@@ -244,7 +244,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   private readonly drawScene: DrawByCamera = (scene, camera, update, updatesCamera, seenBy, session): void => {
-    if (this.disposed) return; // by a host's callback, while an earlier camera of the array was drawn
+    if (this.disposed) return; // disposed by a host's callback while an earlier camera of the array was drawn
     const eye = session?.eye ?? 0;
     this.recorder.begin(this.timing, eye);
     this.twins.begin();
@@ -287,15 +287,15 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       if (!done || webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
       this.recorder.endPass();
     }
-    // starts the GPU while the host continues; the flush is a call to another process, too slow for small frames
+    // the flush starts the GPU while the host continues; it is a call to another process, too slow for small frames
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
     if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame, shadows);
     // until the code of node materials is loaded, three draws the whole frame
     if (frame.lacksNodes) webgl.render(scene, camera);
-    // draws again: with three's lights if a shader has no place for the light loop, or because the page changed shaders
+    // draws anew: with three's lights if a shader has no place for the light loop, or since the page changed shaders
     if (!frame.queue.refused.end(scene, byThree || finder.left.all) && !this.twins.isOutdated) return;
-    if (session !== null) session.eye = 0; // 0: the lights are collected again
+    if (session !== null) session.eye = 0; // 0: collects the lights again, as for the first eye
     this.drawScene(scene, camera, false, false, seenBy, session);
   };
 
@@ -315,11 +315,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
 
   /**
    * Fetches code ahead, for all renderers of the page, that `render` else fetches when first needed. In brackets, until then:
-   * Shadow maps, cookies and light layers (three draws shadows and maps of up to four lights, more have none, and layers are
-   * ignored), area lights (three draws them as rectangles), light fields (they light nothing), anti-aliasing of techniques with
-   * a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them), views of surfaces, overdraw and
-   * buffers (the final picture is shown), techniques other than 'deferred' and 'forward-single-pass', and the rules of 'auto'
-   * (the scene's last technique draws, or one of these two), GPU times, frame budgets.
+   * Shadow maps, cookies and light layers (three draws those of up to four lights, further lights have none, and light layers
+   * are ignored), area lights (three draws them as rectangles), light fields (they light nothing), anti-aliasing of techniques
+   * with a G-buffer (edges are not smooth), node materials and arrays of cameras (three draws them), views of surfaces,
+   * overdraw and buffers (the final picture is shown), techniques other than 'deferred' and 'forward-single-pass', and the
+   * rules of 'auto' (the scene's last technique draws, or one of these two), GPU times, frame budgets.
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */
@@ -365,8 +365,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Frees the GPU resources; the next frame creates them again. Also called when the context is lost: if disposed after its
-   * return, three would delete old handles in the new context.
+   * Frees the GPU resources; the next frame creates them again. Also called when the context is lost: if resources were
+   * disposed only once it is restored, three would delete old handles in the new context.
    */
   private readonly free = (): void => {
     this.last.isDrawn = false;

@@ -77,7 +77,7 @@ export class FrameLights {
     table.slots = 0;
     fields?.begin();
     const picked = pick();
-    // the shaders of few lights do not read the farthest depth
+    // nothing reads the farthest depth when all shaders read the few lights from uniforms
     if (frame.readsFew) frame.queue.farthest = Infinity;
     // clusters of light fields are made on the GPU, from lights sorted by depth
     const order = fields !== null && picked === 'by-grid' ? 'by-depth' : picked;

@@ -59,7 +59,7 @@ export class FrameUniforms {
         sphere.value[k] = data[at + LIGHT.sphere + k];
         emission.value[k] = data[at + LIGHT.emission + k];
       }
-      // true for directional lights with a mask or extension, and local lights other than three's point light
+      // true for directional lights with a mask or extension record, and local lights other than plain point lights
       if (i < directional ? emission.value[3] !== 0 : emission.value[3] < 0) return false;
     }
     return true;

@@ -27,7 +27,7 @@ export class InfoRecorder {
   constructor(
     private readonly webgl: WebGLRenderer,
     last: LastFrame,
-    /** Writes the bytes held, by use, to `memory`; called when the host reads them. Returns the sum. */
+    /** Writes the bytes that Farol holds, by use, to `memory`, when the host reads them. Returns their sum. */
     count: (memory: MemoryInfo) => number,
   ) {
     const held = { gbuffer: 0, gbufferPixel: 0, targets: 0, lists: 0, shadows: 0, lights: 0, effects: 0 };
@@ -58,7 +58,7 @@ export class InfoRecorder {
       },
       uploadBytes: 0,
     };
-    // registered before listeners of the host, which may draw
+    // registered before the host's own listeners, since these may draw a frame
     webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
   }
 

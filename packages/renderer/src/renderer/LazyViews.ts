@@ -12,7 +12,7 @@ export class LazyViews {
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}
 
-  /** @returns the view to draw: the given one, or 'final' under a view of a buffer and until the view's code is loaded */
+  /** @returns the view to draw: `view`, or 'final' if `view` shows a buffer over that picture, or its code is not loaded */
   available(view: View): View {
     this.buffer = null;
     if (isTechniqueView(view)) return view;

@@ -6,10 +6,10 @@ import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Maximum number of lights with a shadow map or image that three draws (few texture units) until Farol's code is loaded. */
+/** Maximum number of lights with shadow maps or images, which take texture units, left to three until code is loaded. */
 const FEW_MASKS = 4;
 
-/** Uniform vectors of three's lit shaders: without lights, and for one spot light. */
+/** Number of uniform vectors of three's lit shaders without lights, and number that one spot light adds. */
 const UNIFORMS = 100;
 const UNIFORMS_PER_LIGHT = 7;
 

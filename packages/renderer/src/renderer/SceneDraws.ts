@@ -36,7 +36,7 @@ export class SceneDraws {
    */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
 
-  /** @param background - uniform set to the colour that three would have cleared to; alpha -1 if three has cleared */
+  /** @param background - uniform set to the colour that three would have cleared to; alpha is -1 if three has cleared */
   constructor(
     private readonly frame: Frame,
     private readonly recorder: InfoRecorder,
@@ -49,7 +49,7 @@ export class SceneDraws {
   private readonly enlarge = () => this.scaled!.enlarge(this.frame);
   private readonly drawFields = () => this.frame.fields!.render();
 
-  /** Begins the draws of a frame, with the options of that name in `FarolOptions`. */
+  /** Begins the draws of a frame; `antialias` and `learning` are those of `FarolOptions`. */
   begin(
     sceneView: SceneView,
     effects: ActiveEffects,
@@ -58,7 +58,7 @@ export class SceneDraws {
     const { picker } = this;
     this.antialias = antialias;
     picker.learns = learning;
-    // a budget times frames itself, and changes their size
+    // trials would disturb a frame budget, which times frames itself and changes their size
     picker.mayMeasure = this.checked === null;
     picker.passTimer = this.recorder.passTimer;
     this.sceneView = sceneView;
@@ -168,7 +168,7 @@ export class SceneDraws {
   private drawTransmitted(): void {
     const { queue } = this.frame;
     for (const item of queue.opaque) this.frame.drawForward(item, this.transmittedTwins('final'));
-    // items of node materials must still be drawn into the host's target
+    // the loop has marked items of node materials as drawn; they must still be drawn into the host's target
     for (const item of queue.opaque) item.drawn = false;
   }
 

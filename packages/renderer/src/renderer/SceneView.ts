@@ -27,9 +27,7 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
-/**
- * @param backs - whether to draw only back faces of double-sided transmissive objects, into three's transmission target
- */
+/** @param backs - true to draw only back faces of double-sided transmissive objects, into three's transmission target */
 export type DrawScene = (backs: boolean) => void;
 
 /** Stand-in for a host's scene that three's `render` is given. */
@@ -75,7 +73,7 @@ export class SceneView {
   private holdsCamera = false;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
-  /** The host's values of `CLEARS` while three is kept from clearing. */
+  /** The host's values of the four `CLEARS` flags, while three is kept from clearing. */
   private readonly autoClear = [true, true, true, true];
   private keeps = false;
   /** Pixels that draws must write, since three was kept from clearing the target; null if three clears. */
@@ -85,7 +83,7 @@ export class SceneView {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly source: Object3D,
-    /** Called inside `render` when the lists are complete and nothing is drawn yet. */
+    /** Called inside `render` when three's render lists are complete and nothing is drawn yet. */
     private readonly begun: () => void,
   ) {
     const scene = source as Scene;
@@ -105,7 +103,7 @@ export class SceneView {
       this.drawAll(false);
     });
     this.glass = makeDriver(() => this.drawAll(true));
-    // a transmissive item of this list makes three draw the back faces of its transmission pass
+    // as a transmissive, double-sided item it makes three draw the back faces of the transmission pass
     Object.assign(this.glass.material, { transmission: 1, side: DoubleSide });
     this.takeList();
   }

@@ -146,7 +146,7 @@ export class TechniquePicker {
     const { known } = this.set;
     if (this.set.codeOf(technique)?.ask() === false) return;
     const passes = this.set.passesOf(technique);
-    // after a lost context the technique's passes are new
+    // after a lost context the passes of the technique are new objects
     if (chooser.preparation?.passes !== passes)
       chooser.preparation = new warmUpCode.required.WarmUp(frame, known[technique], technique, passes);
     chooser.preparation.step(draws.effectsOf(technique).all);

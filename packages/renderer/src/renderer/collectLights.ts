@@ -6,7 +6,7 @@ import { POINT, readPoint } from '../lights/plainPoints';
 
 const { updateMatrixWorld } = Object3D.prototype;
 const identity = new Matrix4();
-/** Minimum number of children from which on `fetching.reader` reads their lights. */
+/** Number of children from which on their lights are read in one go, by `fetching.reader`. */
 const ROW = 8;
 
 /** Update of children's world matrices: none, those with `matrixWorldNeedsUpdate`, or all. */
@@ -39,11 +39,11 @@ export function collectLights(
     // three's traversal also visits lights that are children of the root
     if (root.visible) visit(root, (root as Light).isLight === true, camera, left, found);
   }
-  // drops references to lights of larger earlier frames
+  // drops references to lights of earlier frames that had more lights
   if (found.all.length > found.count) found.all.length = found.count;
 }
 
-/** As three's `updateMatrixWorld`, without the children. @returns whether the children's matrices must be updated */
+/** Does as three's `updateMatrixWorld`, but for one object. @returns whether its children's matrices must be updated */
 function updateOne(object: Object3D, force: boolean): boolean {
   if (object.matrixAutoUpdate) object.updateMatrix();
   if (!(object.matrixWorldNeedsUpdate || force)) return false;
@@ -83,7 +83,7 @@ function visitChildren(
     if (matrices !== KEPT) child.updateMatrixWorld(matrices === FORCED);
     if (!child.visible) continue;
     const first = found.nested.length;
-    // three need not traverse a child that holds nothing but managed lights
+    // a child that holds nothing but managed lights is left out of three's traversal
     if (visit(child, isLight, camera, left, found)) found.nested.length = first;
     else found.rest.push(child);
   }

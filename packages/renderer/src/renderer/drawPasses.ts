@@ -4,7 +4,7 @@ import type { InfoRecorder } from './InfoRecorder';
 import type { Pass } from '../frame/Pass';
 import type { Resource } from '../frame/Resources';
 
-/** Draws the passes of a technique in order, the effects after or in place of a pass, and measures each. */
+/** Draws the passes of a technique in order, and the effects that follow or replace a pass; measures each. */
 export function drawPasses(
   frame: Frame,
   technique: string,

@@ -3,7 +3,7 @@ import type { Light, Object3D } from 'three';
 type Drawn = Object3D & { isMesh?: boolean; isLine?: boolean; isPoints?: boolean };
 
 /**
- * Finds lights that reach only some of a scene's objects, because they share no layer with the others: collects the objects'
+ * Finds lights that reach only some of a scene's objects, because light and object must share a layer: collects the objects'
  * sets of layers, and the most frequent set. Ambient and hemisphere lights reach all objects.
  */
 export class LightLayers {

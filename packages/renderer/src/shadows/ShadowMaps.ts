@@ -36,14 +36,14 @@ import type { ShadowLight } from './slots/ShadowLight';
 import type { ShadowSlot } from './slots/ShadowSlot';
 import { isDepthReversed } from '../three/state';
 
-/** Number of frames between two rebalancings of a full atlas. */
+/** Number of frames from one rebalancing of a full atlas, which chooses anew which maps are halved, to the next. */
 const REBALANCE = 60;
 /** Minimum side of the atlas of depths (texels). */
 const SMALLEST_ATLAS = 512;
 
 /**
  * The shadow maps and cookies of all lights of a renderer, in two atlases. `update` finds which maps a frame needs and which of
- * them are out of date, `render` draws those. README.md describes a frame step by step.
+ * these are out of date; `render` draws the maps that are. README.md lists the steps of a frame.
  */
 export class ShadowMaps implements LightMasks, TileShadows {
   /** Test for materials that show nothing but shadows (such as ShadowMaterial), and the twin that draws them. */
@@ -56,11 +56,11 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private knownAtlasSize: number | null = null;
   /** Whether the atlases are limited in bytes, for the quality 'lite'. */
   isLite = false;
-  /** Bytes a texel of depth for which the limit in bytes was computed; 0 without a limit. */
+  /** Bytes of a depth texel when the limit in bytes was computed; 0 without a limit. */
   private knownTexel = 0;
   /** Area lights, read for the range of those that cast shadows; null until a scene has an area light. */
   areas: AreaLightTable | null = null;
-  /** Frame's camera, or the array that contains it: chooses levels of detail, and layers of casters for most shadows. */
+  /** Camera of the frame, or the array that contains it: chooses levels of detail, and layers of most shadows' casters. */
   seenBy!: Camera;
   /** Number of maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
@@ -157,7 +157,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   /**
    * Sets the uniforms of masks for the frame. Call once the light table is written.
-   * @param firstMask - record of the light table
+   * @param firstMask - index of the first mask's record in the light table
    */
   setUniforms(uniforms: MaskUniforms, firstMask: number, camera: Camera): void {
     uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorldInverse).invert();
@@ -187,7 +187,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.followType();
     for (const light of lights) this.collect(light, root, camera);
 
-    // keep the maps that are still valid; none are after a lost context
+    // maps that are still valid are kept; after a lost context none is
     if (this.atlases.isLost) this.slots.lose(false);
     this.noteChanges(root, camera);
     this.followLights(updates, camera);
@@ -247,7 +247,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   // ---- Collect: a slot for each light that casts shadows or projects an image ----
 
-  /** Draws all maps anew after `shadowMap.type` has changed; variance shadow maps lie in the other atlas. */
+  /** Draws all maps anew after `shadowMap.type` has changed; variance shadow maps lie in the atlas of colours. */
   private followType(): void {
     const { type } = this.webgl.shadowMap;
     if (type === this.type) return;
@@ -261,7 +261,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.isVariance = type === VSMShadowMap;
   }
 
-  /** Adds a light of the frame to those with shadow map or cookie; one that is only limited to layers needs neither. */
+  /** Gives a light with shadows, cookie or profile a slot; a light that is only limited to layers needs none. */
   private collect(light: Light, root: Object3D, camera: Camera): void {
     const casts = hasShadowMap(light, shadowedLights(this.webgl));
     const isArea = isAreaLight(light);
@@ -296,7 +296,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     }
   }
 
-  /** Moves the maps' cameras with the lights whose maps may be drawn, and marks maps as stale that this changes. */
+  /** Moves the cameras of maps that may be drawn to the lights, and marks as stale the maps that this changes. */
   private followLights(updates: boolean, camera: Camera): void {
     const reversed = isDepthReversed(this.webgl);
     for (const slot of this.slots.lit) {
@@ -340,7 +340,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     atlases.colours.arrange(slots.colours, slots.keptColours, rebalances);
   }
 
-  /** Decides whether the map of a lit slot is drawn, kept, or copied for three's addons; gives its mask a record. */
+  /** Decides whether the map of a light of the frame is drawn, kept, or copied for three's addons; gives it a mask record. */
   private assign(slot: ShadowSlot, updates: boolean): void {
     const { map, shadow } = slot;
     const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (!map.isThere && wasAskedFor(slot));

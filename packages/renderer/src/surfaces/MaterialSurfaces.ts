@@ -19,7 +19,7 @@ import type { SurfaceUniform } from './SurfaceUniform';
 interface Worn {
   readonly surface: Surface;
   readonly uniforms: Record<string, IUniform<SurfaceValue>>;
-  /** Default text of each uniform when its value was made, by name. */
+  /** GLSL text of each uniform's default at the time when its value was made, by name. */
   readonly defaults: Map<string, string>;
   /** `Surface.version` for which `uniforms` are complete. */
   version: number;
@@ -43,7 +43,7 @@ export class MaterialSurfaces implements WornSurfaces {
 
   constructor(private readonly material: Material) {}
 
-  /** Sets the surfaces of another material, sharing their values, and one more. @returns the values of the added surface */
+  /** Sets the surfaces of another material, sharing their values, and adds `surface`. @returns the values of `surface` */
   layer(
     below: MaterialSurfaces | null,
     surface: Surface,
@@ -160,7 +160,7 @@ export class MaterialSurfaces implements WornSurfaces {
       this.list[i].timeBefore.value = times[i] ?? this.list[i].surface.time.value;
   }
 
-  /** Gives every declared uniform a value; values equal to an earlier text's default get the current default. */
+  /** Gives every declared uniform a value; a value equal to the default of an earlier text becomes the present default. */
   private complete(worn: Worn): void {
     const { surface, uniforms, defaults } = worn;
     if (worn.version === surface.version && defaults.size === surface.uniforms.length) return this.link(worn);

@@ -22,14 +22,14 @@ export interface SurfaceRenderer {
 
 /** Options of the constructor of Surface. */
 export interface SurfaceOptions {
-  /** Time (s) passed to the hooks, as an object that surfaces may share. Default a new object. */
+  /** Time (s) passed to the surface's GLSL functions, in an object that surfaces may share. Default a new object. */
   readonly time?: IUniform<number>;
 }
 
 let count = 0;
 let white: DataTexture | null = null;
 
-/** Makes the white texture used for textures not set. */
+/** Makes the white texture for texture uniforms that are not set. */
 function whiteTexture(): DataTexture {
   if (white === null) {
     white = new DataTexture(new Uint8Array([255, 255, 255, 255]));
@@ -46,17 +46,17 @@ function whiteTexture(): DataTexture {
  * @see thesis 3.1.2
  */
 export class Surface {
-  /** Number in the surface's GLSL names and chunks; unique on the page. */
+  /** Number, unique on the page, in the GLSL names and chunks of the surface. */
   readonly id = ++count;
-  /** Time (s) passed to the hooks; set it in each frame for animated surfaces. */
+  /** Time (s) passed to the surface's GLSL functions; set it in each frame for animated surfaces. */
   readonly time: IUniform<number>;
-  /** Number of changes of the text. */
+  /** Number of edits of the surface's GLSL text. */
   version = 0;
   private text: string;
   private read: ParsedSurface;
   private hash: string;
   private sourceInUse: string;
-  /** Registries that hold the surface's chunks, and whether the text compiles there. */
+  /** Registries that hold the surface's chunks, and for each whether the surface's text compiles with it. */
   private readonly registries = new Map<
     MicroShaderRegistry,
     { readonly gl: WebGL2RenderingContext; isUsable: boolean }
@@ -64,7 +64,7 @@ export class Surface {
 
   /**
    * @param name - name in errors and lists
-   * @param source - text of the surface
+   * @param source - GLSL text of the surface
    * @throws MicroShaderCompileError with line, for a text without a hook or with an invalid uniform; errors of the driver are
    *   reported by the first draw, or by `compile`
    */
@@ -108,12 +108,12 @@ export class Surface {
     return this.read.displaces;
   }
 
-  /** @internal */
+  /** @internal Parsed GLSL text of the surface. */
   get parsed(): ParsedSurface {
     return this.read;
   }
 
-  /** Part of programs' cache keys, different for each text. */
+  /** Part of programs' cache keys, different for each GLSL text of the surface. */
   get key(): string {
     return `${this.id}-${this.hash}`;
   }
@@ -123,8 +123,8 @@ export class Surface {
   }
 
   /**
-   * Replaces the text for all materials; programs are recompiled at their next draw. If this throws, nothing changes: the last
-   * good text remains in use.
+   * Replaces the surface's GLSL text for all materials; programs are recompiled at their next draw. If this throws, nothing
+   * changes: the last good text remains in use.
    * @throws MicroShaderCompileError with `entries` by line
    */
   set source(source: string) {

@@ -29,7 +29,7 @@ const HOOKS = {
 } as const;
 
 /**
- * Parses a surface: GLSL with one hook or both, and declared uniforms (see `readUniforms`).
+ * Parses a surface: GLSL with a hook for pixels, one for vertices, or both, and declared uniforms (see `readUniforms`).
  * @param name - name for errors
  * @param prefix - prefix of all names that the text declares, so that they differ from other surfaces' and three's
  * @throws MicroShaderCompileError with the line
@@ -104,7 +104,7 @@ function withoutComments(text: string): string {
 
 interface Head {
   readonly name: string;
-  /** Index of the declaration's start, of its name, and of the end of a function's body; `end` is 0 without a body. */
+  /** Index of the declaration's first character, of its name, and of the end of a function's body (0 without a body). */
   readonly start: number;
   readonly at: number;
   readonly end: number;
@@ -171,7 +171,7 @@ function blanked(plain: string, text: string, start: number, end: number): strin
   const last = lineOf(text, end);
   const lines = plain.split('\n');
   const whole = text.split('\n');
-  // keeps the text before the part in its first line, and after it in its last line
+  // keeps what its first line has before the part, and what its last line has after it
   const before = text
     .slice(0, start + /^\s*/.exec(text.slice(start))![0].length)
     .split('\n')
@@ -183,7 +183,7 @@ function blanked(plain: string, text: string, start: number, end: number): strin
   return lines.join('\n');
 }
 
-/** Adds a prefix to names, except members of structures, and except in lines that include. */
+/** Adds a prefix to names, except to members of structures and in `#include` lines. */
 function prefixed(text: string, names: ReadonlySet<string>, prefix: string): string {
   if (names.size === 0) return text;
   const expression = new RegExp(`(?<![\\w.])(?:${[...names].join('|')})(?!\\w)`, 'g');

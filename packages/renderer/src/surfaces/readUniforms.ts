@@ -27,7 +27,7 @@ const COLOR = /^#([\da-fA-F]{6}|[\da-fA-F]{3})\b/;
 
 /**
  * Parses the uniforms that a surface declares: `uniform float height; // = 0.2 [0, 1, 0.01] Height of the waves (m)`. The
- * comment's parts (default, range with step, label) are optional, from the last on; a comment without `=` is only a label.
+ * comment's parts (default, range with step, label) may be absent, the last ones first; a comment without `=` is only a label.
  * @param name - name of the surface, for errors
  * @throws MicroShaderCompileError with the line, for an invalid type or default
  */

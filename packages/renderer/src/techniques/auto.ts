@@ -7,7 +7,7 @@ export const auto: Technique = {
   help: 'Picks the fastest technique for what is in view, and says why.',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
-  // code of clustered techniques, fetched ahead since most scenes need it
+  // lists of clusters, fetched ahead since the techniques of most scenes need them
   lazy: gridCode,
   // where an effect reads the G-buffer, the chooser picks a technique that writes it
   writes: ['gbuffer'],

@@ -11,7 +11,7 @@ export const forwardSinglePass: Technique = {
   lightOrder: 'by-volume',
   needsFloatTargets: false,
   readsFew: true,
-  // three clears: one call, where a full-screen draw of the background takes six and a change of program
+  // null: three clears, by one call; a full-screen draw of the background takes six and a change of program
   fills: null,
   passes: () => forwardTail('lightLoopAll'),
 };

@@ -6,7 +6,7 @@ import type { LightLoop } from '../materials/LightLoop';
  * Passes that end every technique: opaque items not drawn yet, then transmissive ones, then transparent ones, back to front,
  * each lit by `loop` or `behind`.
  * @param loop - microshader that loops over the lights
- * @param behind - the loop of transmissive and transparent items, which light lists culled by opaque depths do not cover;
+ * @param behind - loop for transmissive and transparent items, which are not covered by light lists culled by opaque depths;
  *   default `loop`
  */
 export function forwardTail(loop: LightLoop, reads: readonly Resource[] = [], behind = loop): Pass[] {

@@ -12,7 +12,7 @@ export interface RenderList {
     groupOrder: number,
     z: number,
     group: GeometryGroup | null,
-    /** Passed since three 0.186. */
+    /** Argument since three 0.186. */
     camera?: Camera,
   ): void;
   init(): void;

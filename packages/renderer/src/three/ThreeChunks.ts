@@ -10,7 +10,7 @@ const SHADERS_LIT = 4;
 /** Number of frames over which the comparison of three's texts is spread. */
 const FRAMES = 8;
 
-/** @param i - an even number for the vertex shader of one of SHADERS, the next for its fragment shader */
+/** @param i - twice an index of SHADERS for its vertex shader, one more for its fragment shader */
 const shaderText = (i: number) => ShaderLib[SHADERS[i >> 1]][i & 1 ? 'fragmentShader' : 'vertexShader'];
 
 export type ChunkGroup = 'lights' | 'shadows' | 'shading';
@@ -51,7 +51,7 @@ function addIncludes(text: string, names: Set<string>): void {
  * add-ons for soft shadows, cascades, fogs and tone mappings do.
  */
 export class ThreeChunks {
-  /** Number that grows with each change. */
+  /** Number that grows with each change of three's shaders by the page. */
   revision = 0;
   /** Whether the light loops or the lights' data have changed: then three must light the scene. */
   lights = false;
@@ -65,7 +65,7 @@ export class ThreeChunks {
 
   /**
    * Compares three's texts with those of the last call.
-   * @param some - whether to compare only one in FRAMES of them, others in later calls. Default false
+   * @param some - whether to compare only one in FRAMES of the texts, and others in later calls. Default false
    * @returns whether any has changed
    */
   follow(some = false): boolean {

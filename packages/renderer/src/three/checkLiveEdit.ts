@@ -21,7 +21,7 @@ const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
  */
 export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistry, names: readonly string[]): void {
   const gl = webgl.getContext() as WebGL2RenderingContext;
-  // also chunks replaced before, in programs not drawn since
+  // chunks replaced earlier are checked too, since programs not drawn since still have their old text
   const edited = registry.names().filter((name) => registry.get(name) !== registry.original(name));
   const all = [...new Set([...edited, ...names])];
   for (const program of (webgl.info.programs ?? []) as unknown as Program[]) {
@@ -42,7 +42,7 @@ export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistr
   }
 }
 
-/** The source of a program, with the named chunks' frames replaced by the registry's current texts. */
+/** The source of a program, in which each named chunk (`// <name>` to `// </name>`) has the registry's current text. */
 function withNewText(source: string, registry: MicroShaderRegistry, names: readonly string[]): string {
   let text = source;
   for (const name of names) {
@@ -66,7 +66,7 @@ function withNewText(source: string, registry: MicroShaderRegistry, names: reado
 
 const FRAMES = /^\/\/ <([^/>][^>]*)>(?: \d+)?\n[^]*?^\/\/ <\/\1>\n/gm;
 
-/** Replaces the frame of `name` by that in `composed`; moves frames of its dependencies in front of it. */
+/** Replaces the lines `// <name>` to `// </name>` by those in `composed`; puts those of its dependencies before them. */
 function replaceFrames(text: string, composed: string, name: string): string {
   const frames = framesOf(composed);
   const place = framesOf(text).get(name);

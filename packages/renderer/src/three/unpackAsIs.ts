@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 
-/** three's WebGLState since 0.184, which caches pixel-store parameters; before, each upload of three's set them all. */
+/** three's WebGLState since 0.184, which caches pixel-store parameters; older ones set all of them at each upload. */
 interface PixelStore {
   pixelStorei?(name: number, value: number | boolean): void;
 }

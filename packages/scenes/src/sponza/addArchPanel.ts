@@ -18,7 +18,7 @@ export interface ArchPanel {
   jambs?: boolean;
 }
 
-/** A wall in the xy plane with a round arch cut out of it: two faces, the soffit, and a moulding round the arch on each. */
+/** A wall in the xy plane with a round arch cut out: two faces, each with a moulding round the arch, and the soffit. */
 export function addArchPanel(builder: MeshBuilder, panel: ArchPanel): void {
   const { width, radius, spring, top, thickness, segments } = panel;
   const half = width / 2;

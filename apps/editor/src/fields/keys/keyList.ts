@@ -20,7 +20,7 @@ export function moveKey<K extends TimedKey>(keys: readonly K[], index: number, k
   if (key[0] === before) return { keys: keys.with(index, key), index };
   const others = keys.toSpliced(index, 1);
   if (key[0] < before) return insertKey(others, key);
-  // a new key goes before one at the same time
+  // a key that moves later goes before others at its new time
   const next = others.findIndex(([time]) => time >= key[0]);
   const place = next < 0 ? others.length : next;
   return { keys: others.toSpliced(place, 0, key), index: place };

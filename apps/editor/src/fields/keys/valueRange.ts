@@ -14,7 +14,7 @@ function roundUp(value: number): number {
   return (ROUND.find((each) => each >= value / unit - 1e-9) ?? 10) * unit;
 }
 
-/** The range with all keys of a curve with space above them, within the field's limits. */
+/** The range that contains all keys of a curve, with space above them, within the field's limits. */
 export function valueRange({ min = -Infinity, max = Infinity }: CurveField, curve: Curve): ValueRange {
   const values = curve.map(([, value]) => value);
   const largest = Math.max(...values);

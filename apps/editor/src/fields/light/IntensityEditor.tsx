@@ -23,7 +23,7 @@ import './light.css';
 
 const lampLabels = Light.fields.lamp.optionLabels as Readonly<Record<LampKind, string>>;
 
-/** A light's intensity in its unit, and the menu of units. In three's unit when the lights' units differ. */
+/** A light's intensity, in the light's unit (or the field's, when the lights' units differ), and a menu of units. */
 export function IntensityEditor(props: OwnerFieldProps<NumberField>): ReactNode {
   const { owners, field, ...rest } = props;
   const { document } = useEditor();

@@ -146,7 +146,7 @@ export class Autosave implements DraftKeeper {
     this.delta = new SceneDelta(this.editor.document.scene);
     this.hold();
     this.post(this.store.send({ kind: 'drop' }));
-    // the old scene was saved or discarded by the user; if deleting fails, it is merely offered again
+    // the user saved or discarded the old scene; if deleting it fails, it is merely offered for recovery again
     if (wasStored) void this.store.delete(old).catch(() => {});
     this.delta.noteAll();
     this.readOn();
@@ -154,7 +154,7 @@ export class Autosave implements DraftKeeper {
 
   private wakeIfEdited(): void {
     const { commands } = this.editor;
-    // changes by a simulation alone store nothing; once something is stored, all changes are
+    // changes by a simulation alone are not stored; once an edit of the scene is stored, they are, too
     const hasBegun = this.storedAt !== null || this.changedAt !== null || this.writes > 0;
     if (hasBegun || commands.isDirty || commands.isGestureOpen) this.wake();
   }
@@ -163,7 +163,7 @@ export class Autosave implements DraftKeeper {
   private wake(): void {
     this.changedAt ??= Date.now();
     if (this.writes > 0) return;
-    // after refused writes a change retries at once, without waiting for the delay
+    // after refused writes, a change shortens a longer wait for the retry to the first delay
     if (!this.timer || this.refusals > 0) this.schedule(this.refusals > 0 ? RETRIES[0] : QUIET);
   }
 
@@ -250,7 +250,7 @@ export class Autosave implements DraftKeeper {
       () => this.committed(info, replaced),
       (error: unknown) => {
         this.writes--;
-        // not if another scene has been opened meanwhile
+        // when another scene has been opened meanwhile, `changedAt` belongs to that
         if (session === this.session) this.changedAt = changedAt;
         this.refused(error);
       },

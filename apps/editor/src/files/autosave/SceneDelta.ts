@@ -29,7 +29,7 @@ export class SceneDelta {
   private pieces: { readonly key: PartKey; readonly objects: readonly FileObject[] | null }[] = [];
   /** Number of pieces read of each prefab. */
   private readonly pieceCounts = new Map<string, number>();
-  /** Ids of objects still to be noted with their descendants; parts are read only once this is empty. */
+  /** Ids of objects still to be noted as changed, with descendants; parts are read only once this is empty. */
   private readonly trees = new NoteList();
   private headChanged = false;
   /**
@@ -78,7 +78,7 @@ export class SceneDelta {
       case 'move': {
         const { id } = change.gameObject;
         const parent = idOfParent(change.gameObject);
-        // the old parent may be unknown, and no longer leads to the object
+        // the old parent may be unknown and no longer contains the object, so the object is noted by itself
         if (!this.containerOf.has(id)) this.trees.add(id);
         this.containers.add(this.containerOf.get(id) ?? '').add(parent);
         this.containerOf.set(id, parent);

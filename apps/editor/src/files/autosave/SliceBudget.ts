@@ -4,7 +4,7 @@ const EASY = 1;
 /** Duration of a slice (ms) once a change has waited for `LATE_FROM`. */
 const LATE = 3;
 
-/** Waiting times (ms) of a change from which slices last `LATE`, and from which each lasts twice as long. */
+/** Waiting times of a change (ms) from which slices last `LATE`, and from which each is twice as long as the last. */
 const LATE_FROM = 250;
 const VERY_LATE_FROM = 5000;
 

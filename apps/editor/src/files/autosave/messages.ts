@@ -19,7 +19,7 @@ export interface WorkerResponse {
   readonly error?: { readonly name: string; readonly message: string };
 }
 
-/** A stored scene, assembled. */
+/** A stored scene, assembled from its stored parts. */
 export interface StoredScene {
   readonly text: string;
   readonly files: ReadonlyMap<string, Blob>;

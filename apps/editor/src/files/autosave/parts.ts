@@ -18,7 +18,7 @@ export const pieceKey = (id: string, index: number): PartKey => `r/${id}/${index
 export const HEAD = 'head';
 export const PREFAB_ORDER = 'q';
 
-/** Makes changes in parts. */
+/** Applies changes to a map of parts. */
 export function changeParts(parts: Map<PartKey, string>, changes: Iterable<PartChange>): void {
   for (const [key, json] of changes) {
     if (json === null) parts.delete(key);

@@ -4,7 +4,7 @@ import { mergeParts, type PartChange, type PartKey } from './parts';
 
 const NAME = 'farol-autosave';
 
-/** Key of the record with all parts of a session's first write, as pairs. */
+/** Key of the record that holds all parts of a session's first write, as an array of [key, JSON]. */
 const BASE = 'base';
 
 const finished = (transaction: IDBTransaction): Promise<void> =>

@@ -53,14 +53,14 @@ export class LightBaker {
     this.running?.abort.abort(new DOMException('The bake was cancelled.', 'AbortError'));
   }
 
-  /** Removes the baked light from the scene, as one step. */
+  /** Removes the baked light from the scene, as one undo step. */
   clear(): void {
     const { document, commands } = this.editor;
     if (document.scene.settings.bakedLight !== null) commands.run(clearBakedLight(document.scene));
   }
 
   /**
-   * Bakes the scene and uses the result, as one step. Editing the scene meanwhile cancels the bake.
+   * Bakes the scene and uses the result, as one undo step. Editing the scene meanwhile cancels the bake.
    * @throws Error (as a rejection) saying why the scene cannot be baked
    */
   async bake(): Promise<void> {
@@ -111,7 +111,7 @@ export class LightBaker {
       return new Blob([await writeBake(data)]);
     } finally {
       for (const end of endings) end();
-      // the bake restored former meshes, which an edit may have replaced meanwhile: objects set theirs up again
+      // the bake restored former meshes, which an edit may have replaced meanwhile: components set up theirs again
       if (document.scene === scene) {
         for (const type of [ObjectRenderer, ModelRenderer]) {
           for (const component of scene.componentsOf<ObjectRenderer | ModelRenderer>(type as typeof ObjectRenderer))

@@ -69,7 +69,7 @@ export async function bakeScene(
   const sources = bakeSources(scene);
   const { settings } = scene;
   const signature = bakeSignature(scene, sources);
-  // not repeated: the panel lists instances already, and probes light everything else without a lightmap
+  // missing lightmaps are not reported: the panel counts instanced objects, and light probes light objects without one
   const onWarning = (sentence: string): void => void (/ gets no lightmap: /.test(sentence) || warned(sentence));
   const shared = { ...traceOptions(scene, sources), signal, onWarning };
   const endSizes = sizeLights(sources);

@@ -12,7 +12,7 @@ export interface FilmOptions {
   readonly width: number;
   readonly height: number;
   readonly rate: FrameRate;
-  /** Scene time of the film's first frame (s), and the time that it ends before (s). */
+  /** Scene time of the film's first frame (s), and the scene time before which its last frame begins (s). */
   readonly from: number;
   readonly to: number;
   /** Whether the scene plays; otherwise only the camera moves. */
@@ -40,9 +40,8 @@ async function advance(scene: Scene, seconds: number): Promise<void> {
 }
 
 /**
- * Draws a film, frame by frame, however long each takes: from its beginning the scene advances by exactly the time
- * between frames. Each frame is drawn as a still, as `PictureCanvas.draw` says. Afterwards the scene is restored, as by
- * Stop.
+ * Draws a film, frame by frame, however long drawing takes: the scene advances by exactly the time between frames. Each
+ * frame is drawn as a still, as `PictureCanvas.draw` says. Afterwards the scene is restored, as by Stop.
  * @param writer - receives the frames
  * @param told - called before each frame with its index
  * @param signal - cancels the film

@@ -3,7 +3,7 @@ import { canEncodeVideo, Quality, type VideoCodec } from 'mediabunny';
 
 /** A kind of file that films are saved as. */
 export interface FilmFormat {
-  /** Label: names of container and codec, the same in all languages except for frames. */
+  /** Label: names of container and codec, the same in all languages. The dialog translates that of PNG frames. */
   readonly label: string;
   readonly extension: 'mp4' | 'webm' | 'zip';
   readonly type: string;
@@ -13,7 +13,7 @@ export interface FilmFormat {
   readonly bits: number;
 }
 
-/** Formats of films, preferred ones first, where the browser can encode them. */
+/** Formats of films, preferred ones first; a browser may be unable to encode some of them. */
 export const filmFormats = {
   avc: { label: 'MP4 (H.264)', extension: 'mp4', type: 'video/mp4', codec: 'avc', bits: 0.15 },
   vp9: { label: 'WebM (VP9)', extension: 'webm', type: 'video/webm', codec: 'vp9', bits: 0.1 },

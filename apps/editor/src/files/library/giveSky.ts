@@ -10,7 +10,7 @@ import type { LibrarySky } from '../../model/library/skies';
 const edits = (owner: FieldOwner, values: LibrarySky['settings']): FieldEdit[] =>
   Object.entries(values).map(([name, value]) => ({ owner, name, value }));
 
-/** Rotation (rad) whose front, -Z, goes from a direction to the origin. */
+/** Rotation (rad) after which an object's -Z axis points from a position towards the origin. */
 function turnFrom(from: readonly [number, number, number]): [number, number, number] {
   const matrix = new Matrix4().lookAt(new Vector3(...from), new Vector3(), new Vector3(0, 1, 0));
   const { x, y, z } = new Euler().setFromRotationMatrix(matrix);
@@ -20,7 +20,7 @@ function turnFrom(from: readonly [number, number, number]): [number, number, num
 /**
  * Gives the scene a sky. Its first directional light at the top of the tree becomes the sun or moon; where there is
  * none, one is added. Ambient and hemisphere lights are switched off, since the sky lights the scene.
- * @param name - in the language that is shown
+ * @param name - the sky's name, in the user's language
  * @param selected - ids selected now
  */
 export function giveSky(scene: Scene, name: string, sky: LibrarySky, selected: readonly string[]): Command {

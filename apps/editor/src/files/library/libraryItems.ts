@@ -5,12 +5,12 @@ import { libraryTags } from '../../model/library/tags';
 
 /** An item of the library, as its panel shows it. */
 export interface LibraryItem {
-  /** Such as 'street-lamp' or 'material/Cast iron'; ids of the user's prefabs begin with 'own/' or 'folder/'. */
+  /** Id, such as 'street-lamp' or 'material/Cast iron'; ids of the user's prefabs begin with 'own/' or 'folder/'. */
   readonly id: string;
-  /** Name in the language that is shown. */
+  /** Name in the user's language. */
   readonly label: string;
   readonly group: LibraryGroup | 'material' | 'own' | 'folder';
-  /** Words in the language that is shown. */
+  /** Words by which the item is searched and filtered, in the user's language. */
   readonly tags: readonly string[];
   /** URL of the item's picture; null for none. */
   readonly picture: string | null;

@@ -101,8 +101,8 @@ export async function removeFromLibrary(id: string): Promise<void> {
 }
 
 /**
- * Reads the prefabs of the scene files among files; a picture with the name of a prefab beside them is shown.
- * @throws Error when there are none
+ * Reads the prefabs of the scene files among files; an image file that is named like a prefab becomes its picture.
+ * @throws Error when there are no prefabs
  */
 export async function openLibraryFolder(editor: EditorApi, files: readonly File[]): Promise<void> {
   const pictures = new Map(
@@ -161,7 +161,7 @@ async function copyOf(editor: EditorApi, id: string): Promise<{ prefab: string; 
   return { prefab: kept.prefab, copied: kept };
 }
 
-/** Places an instance of a prefab of the user's library or folder, as one step; see `placeLibraryItem`. */
+/** Places an instance of a prefab of the user's library or folder, as one undo step; see `placeLibraryItem`. */
 export async function placeOwnItem(editor: EditorApi, id: string, place: DropPlace = {}): Promise<void> {
   const { document, commands } = editor;
   const { scene, selection } = document;

@@ -9,7 +9,7 @@ import { land } from '../../viewport/placing/land';
 import { landingView, loadShapes, pointInPicture } from '../landInPicture';
 import type { DropPlace } from '../placeAsset';
 
-/** A prefab for a scene, and commands that add what it needs and the scene lacks. */
+/** A prefab for a scene, and commands that add what the prefab needs and the scene lacks. */
 export interface Brought {
   readonly prefab: Prefab;
   readonly steps: readonly (() => Command)[];
@@ -18,11 +18,11 @@ export interface Brought {
 interface InstanceSteps {
   /** Called when the meshes of the prefab are loaded. */
   bring(): Brought;
-  /** Commands after the instance was added. */
+  /** Makes commands that follow, in the same undo step, the one that adds the instance. */
   follow?(instance: GameObject): readonly (() => Command)[];
 }
 
-/** Places an instance of a prefab, as one step; at the top of the tree when the prefab must not be below the parent. */
+/** Places an instance of a prefab, as one undo step; at the top of the tree if the parent is within that prefab. */
 export async function placeInstance(
   editor: EditorApi,
   sampled: Prefab,
@@ -40,7 +40,7 @@ export async function placeInstance(
   const { parent = scene } = place;
   const container = canPlacePrefab(scene, prefab, parent) ? parent : scene;
   if (container === scene) {
-    // first, since it activates the view under the pointer
+    // computed before `landingView`: `pointInPicture` activates the view under the pointer, which `landingView` reads
     const point = pointInPicture(editor, place.at);
     land(landingView(editor), [instance], point);
   }

@@ -21,7 +21,7 @@ import type { DropPlace } from '../placeAsset';
 import { giveSky } from './giveSky';
 import { type Brought, placeInstance } from './placeInstance';
 
-/** Objects of a prefab that refer to assets and types of components by their names in a scene. */
+/** A prefab's objects, with assets and component types renamed to their names in a scene. */
 function namedObjects(scene: Scene, prefab: Prefab, brought: BroughtAssets): Prefab['objects'] {
   return renamedObjects(scene, prefab.objects, brought, {}).map((object) => ({
     ...object,
@@ -54,7 +54,7 @@ function isCarried(scene: Scene, { transform }: GameObject, camera: Camera): boo
   return false;
 }
 
-/** Commands after a player was added: its camera becomes the scene's; it gets a ground when none is below. */
+/** Commands after a player was added: the player's camera becomes the scene's; a ground is added when none is below. */
 function stepsOfPlayer(scene: Scene, player: GameObject, camera: Camera): (() => Command)[] {
   const steps: (() => Command)[] = [];
   if (!isCarried(scene, player, camera)) {
@@ -95,8 +95,8 @@ function giveLibraryMaterial({ document, commands }: EditorApi, name: LibraryMat
 }
 
 /**
- * Places an instance of a library's item, as one step; the scene gets its prefab, materials and scripts with the first
- * one. 'flicker' makes selected lamps flicker; a sky is given to the scene, a material to objects.
+ * Places an instance of a library's item, as one undo step; the first instance brings the item's prefab, materials and
+ * scripts into the scene. 'flicker' makes selected lamps flicker; a sky is given to the scene, a material to objects.
  * @param id - such as 'street-lamp' or 'material/Brass'
  */
 export async function placeLibraryItem(editor: EditorApi, id: string, place: DropPlace = {}): Promise<void> {

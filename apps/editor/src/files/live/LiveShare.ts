@@ -38,7 +38,7 @@ const isHead = (key: PartKey): boolean => key.startsWith('h/') || key.startsWith
 export class LiveShare {
   /** Emits when the addresses or the number of viewing pages change. */
   readonly changed = new Signal();
-  /** Addresses that show the scene, one for each network of this machine; null until known, empty without `--host`. */
+  /** URLs that show the scene, one for each network of this machine; null until known, empty without `--host`. */
   addresses: readonly string[] | null = null;
 
   private socket: WebSocket | null = null;
@@ -118,7 +118,7 @@ export class LiveShare {
     this.count = looks;
     if (looks === 0) this.rest();
     const { phones } = this.editor;
-    // sharing may end unnoticed while the dialog renders, when React forbids updates of the status bar
+    // emits only when the text changes: sharing may end while React renders the dialog and forbids other updates
     if (phones.text !== text) {
       phones.text = text;
       phones.changed.emit();
@@ -126,7 +126,7 @@ export class LiveShare {
     this.changed.emit();
   }
 
-  /** Forgets what was read, when no page is connected. */
+  /** Forgets which parts were read and sent, once no page is connected. */
   private rest(): void {
     this.delta = null;
     this.sent.clear();
@@ -270,7 +270,7 @@ async function phonePages(): Promise<readonly string[]> {
 
 const shares = new WeakMap<EditorApi, LiveShare>();
 
-/** The share of an editor's scene; a new one if the server lacked `--host`, since it may have been restarted. */
+/** The LiveShare of an editor; a new one if the dev server lacked `--host`, since it may have been restarted. */
 export function shareOf(editor: EditorApi): LiveShare {
   const before = shares.get(editor);
   if (before && before.addresses?.length !== 0) return before;

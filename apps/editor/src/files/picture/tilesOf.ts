@@ -1,4 +1,4 @@
-/** Part of a picture (pixels from its left and top): the area drawn at once, and the area of that which is kept. */
+/** Part of a picture (pixels from its left and top): the area that is kept, and `drawn`, the area rendered for it. */
 export interface Tile {
   readonly x: number;
   readonly y: number;

@@ -4,7 +4,7 @@ import { shownEye } from '../picture/PictureCanvas';
 /** Size of the picture of a scene (pixels). */
 const WIDTH = 320;
 const HEIGHT = 180;
-/** Maximum size of that picture (bytes). */
+/** Maximum size of the picture of a scene (bytes). */
 const MOST = 20_000;
 
 /**
@@ -18,7 +18,7 @@ export async function smallPicture(editor: EditorApi): Promise<Blob | null> {
   const context = small.getContext('2d');
   if (!context || !canvas.isConnected || canvas.width === 0 || canvas.height === 0) return null;
   context.imageSmoothingQuality = 'high';
-  // drawn again: the browser clears the canvas after showing a frame
+  // the scene is drawn again, since the browser clears the canvas after showing a frame
   const { camera, component } = shownEye(editor);
   picture.follow(edited.scene);
   picture.draw(edited.scene, camera, component);

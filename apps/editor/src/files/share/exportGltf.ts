@@ -17,7 +17,7 @@ interface Writer extends ProfileWriter {
   processNodeAsync(object: Object3D): Promise<number>;
 }
 
-/** The used part of a material in glTF. */
+/** The part of a material's glTF JSON that the export uses. */
 interface MaterialDef {
   readonly extensions?: { readonly KHR_materials_anisotropy?: { readonly anisotropyTexture?: { texCoord?: number } } };
 }
@@ -53,8 +53,8 @@ export async function exportGltf(scene: Scene, webgl: WebGLRenderer): Promise<Ex
         writeMaterialAsync: async (material: Material, def: object) => nameAnisotropyChannel(material, def),
         writeNode: (object, nodeDef) => profiles.writeNode(object, nodeDef),
         afterParse: () => {
-          // GLTFExporter writes the first joint, which must be an ancestor of all others but may not be; the property
-          // is optional
+          // GLTFExporter writes the first joint as `skeleton`: it must be an ancestor of all joints, but may not be;
+          // the property is optional
           writer.json.skins?.forEach((skin) => Reflect.deleteProperty(skin, 'skeleton'));
           profiles.finish();
         },

@@ -2,7 +2,7 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 
 export type ArrangementKind = 'line' | 'ring' | 'grid' | 'scatter';
 
-/** Colours of the copies' lights: the original's, random hues, or the hues in turn. */
+/** Colours of the copies' lights: the original's, random hues, or the hues of the rainbow in order. */
 export type LightColours = 'same' | 'random' | 'rainbow';
 
 /** Settings of an arrangement: number and places of copies, and how they vary. The originals have the first places. */

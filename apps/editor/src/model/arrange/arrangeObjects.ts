@@ -38,8 +38,8 @@ const ownOf = ({ transform }: GameObject): Own => ({
 /**
  * Pose of a placed object in the space of its parent.
  * @param source - world matrix of the original
- * @param own - authored rotation and scale of the original, when the parent has the same orientation and size; copied
- *   exactly when the place does not change them
+ * @param own - authored rotation and scale of the original, if its parent has the orientation and size of the new
+ *   parent, else null; copied exactly where the place does not change them
  */
 function poseAt(place: ArrangedPlace, source: Matrix4, parentInverse: Matrix4 | null, own: Own | null): Pose {
   source.decompose(position, rotation, scale);
@@ -71,8 +71,8 @@ function middleOf(places: readonly ArrangedPlace[]): Vector3 {
 }
 
 /**
- * Copies objects to places, the first place of each being its own, and varies the copies' lights, as one step. Copies
- * follow their original in the tree, or all are below a new object at their centroid; new objects are selected.
+ * Copies objects to places, the first place of each being its own, and varies the copies' lights, as one undo step.
+ * Copies follow their original in the tree, or all are below a new object at their centroid; new objects are selected.
  * @param objects - at least one; those below another are ignored
  * @param places - at least one for each original; at most `MOST_COPIES`
  */

@@ -3,7 +3,7 @@ import { type ArrangedPlace, type Arrangement, MOST_COPIES } from './Arrangement
 
 const whole = (count: number): number => Math.min(MOST_COPIES, Math.max(1, Math.round(count)));
 
-/** Places of each original and its copies, step by step. @param origins - world positions of the originals (m) */
+/** Places at 0, 1, 2, … times `offset` from each original. @param origins - world positions of the originals (m) */
 function linePlaces({ count, offset }: Arrangement, origins: readonly Vector3Tuple[]): ArrangedPlace[] {
   const places: ArrangedPlace[] = [];
   const steps = Math.max(1, Math.floor(whole(count * origins.length) / origins.length));
@@ -31,7 +31,7 @@ function ringPlaces(
   });
 }
 
-/** Rows along x, then z, then y; centred in x and z, growing upwards. */
+/** Places of a grid, by x first, then z, then y; centred on a point in x and z, and growing upwards from it. */
 function gridPlaces({ counts, spacing }: Arrangement, [x, y, z]: Vector3Tuple, sources: number): ArrangedPlace[] {
   const [across, up, along] = counts.map(whole);
   const places: ArrangedPlace[] = [];

@@ -23,9 +23,9 @@ export class MoveObjects extends StructuralCommand {
   private moves: readonly Move[] | null = null;
 
   /**
-   * @param objects - none below another one of them
-   * @param parent - none of the objects, and not below one
-   * @param before - child of `parent`, not among the objects, that they are put before; null for the end
+   * @param objects - objects to move; none of them is below another
+   * @param parent - new parent, which is neither one of the objects nor below one
+   * @param before - child of `parent`, not one of the objects, that they are put before; null for the end
    */
   constructor(
     label: string,

@@ -6,7 +6,7 @@ import { PlaceCommand } from './PlaceCommand';
 interface ComponentPlace {
   readonly component: Component;
   readonly object: GameObject;
-  /** Index in the object's list. */
+  /** Index among the object's components. */
   readonly index: number;
   /** Id that the component gets; a new one when absent. */
   readonly id?: string;

@@ -1,7 +1,7 @@
 import type { Command, CommandSelection } from '@farol/editing';
 
 /**
- * Several commands as one step: done in order, undone in reverse. Each may depend on the effects of those before it.
+ * Several commands as one undo step: done in order, undone in reverse. Each may depend on the effects of earlier ones.
  */
 export class Sequence implements Command {
   private commands: readonly Command[] | null = null;

@@ -30,7 +30,7 @@ export class SetPrefab implements Command {
     if (this.before && this.next) prefabs.set(this.before);
     else if (!this.before) prefabs.delete(this.id);
     else {
-      // restores the prefab's place in the list
+      // all prefabs are removed and added again, which restores the order of the list
       for (const { id } of prefabs.list) prefabs.delete(id);
       for (const prefab of this.order) prefabs.set(prefab);
     }

@@ -33,7 +33,7 @@ export interface Part extends Place {
 /** Root object of an item, which gets the item's name. */
 export type ItemRoot = Omit<Part, 'name'>;
 
-/** Rotation (rad) that turns the front, -Z, downwards. */
+/** Rotation (rad) that turns an object's front, its -Z axis, downwards. */
 export const DOWN: Vector3Tuple = [-Math.PI / 2, 0, 0];
 
 /** A mesh with a material of the library; it casts shadows unless `values` say otherwise. */
@@ -89,7 +89,7 @@ function namedValues(values: Values, idOf: ReadonlyMap<string, string>): Record<
   return named;
 }
 
-/** Prefab of an item, in the user's language. @param id - of the item, such as 'street-lamp' @param name - English */
+/** Prefab of an item, in the user's language. @param id - its id, such as 'street-lamp' @param name - English name */
 export function buildItem(id: string, name: string, root: ItemRoot): BuiltItem {
   const list: { readonly part: Part; readonly id: string; readonly parent: string | null }[] = [];
   const idOf = new Map<string, string>();

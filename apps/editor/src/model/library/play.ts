@@ -1,7 +1,7 @@
 import type { libraryNames } from './names';
 import { glow, type ItemRoot, light, mesh, type Part, type PartComponent, solid } from './parts';
 
-/** An EventTrigger for the player that calls a method. @param target - name of a part of the item */
+/** An EventTrigger that the player sets off, and that calls a method. @param target - name of a part */
 const playerTrigger = (event: string, target: string | null, method: string): PartComponent => [
   'EventTrigger',
   { event, otherTag: 'player', ...(target !== null && { target: `part:${target}` }), ...(method && { method }) },

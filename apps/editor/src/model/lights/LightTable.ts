@@ -17,7 +17,7 @@ import { colourOf, kindLabel, kindOf, type LightSource, shownNumber } from './li
 /** A column of the table, by which its rows can be sorted. */
 export type LightColumn = 'on' | 'solo' | 'name' | 'kind' | 'colour' | 'intensity' | 'range' | 'shadow' | 'cost';
 
-/** Condition that lights must meet in every part to be shown in the table. */
+/** Conditions, all of which a light must meet to be shown in the table. */
 export interface LightFilter {
   /** Words that must each be in the name, the kind or the group's name. */
   readonly text: string;
@@ -95,7 +95,7 @@ export class LightTable {
   private stale: Part = 'lights';
   /** Signals to be emitted at the end of the task. */
   private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
-  /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
+  /** Shares of the lighting time by id of a light and by id of a group; key of what they were estimated for. */
   private costs: ReadonlyMap<string, number> = new Map();
   private readonly groupCosts = new Map<string, number>();
   private costKey = '';
@@ -252,7 +252,7 @@ export class LightTable {
     if (this.hasSolo) this.showAlone(new Set());
   }
 
-  /** Components that an edit of a row changes: all selected ones of its kind when the row is selected, else its own. */
+  /** Components that an edit of a row changes: those of all selected rows if it is selected, else its own. */
   editedBy<T extends LightSource | LightGroup>(edited: T): readonly T[] {
     const { selection } = this.document;
     if (!selection.has(edited.gameObject.id)) return [edited];

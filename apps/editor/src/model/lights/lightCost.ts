@@ -6,8 +6,8 @@ import { lightCount, type LightSource } from './lightSource';
 const TILE = 32;
 
 /**
- * Cost per pixel of each type of light, relative to a point light. Shapes: measured with 1,000 lights,
- * packages/renderer/docs/performance.md. Ambient and hemisphere lights are one sum for all.
+ * Cost per pixel of each type of light, relative to a point light. Area lights (rectangle, disc, tube) were measured
+ * with 1,000 lights, see packages/renderer/docs/performance.md. Ambient and hemisphere lights share one sum.
  */
 const weights: Readonly<Record<string, number>> = { ambient: 0, hemisphere: 0, rectangle: 4, disc: 6.4, tube: 3.7 };
 

@@ -17,7 +17,7 @@ import {
 } from '../prefabEdits';
 import { below, pick, type Random } from './random';
 
-/** A random edit of prefabs; an object outside instances is made one. */
+/** A random edit of prefabs; an object that is not in an instance is made into a prefab. */
 export function randomPrefabCommand(
   random: Random,
   { scene }: EditorDocument,

@@ -5,7 +5,7 @@ import { addComponent } from '../edits';
 import type { EditorDocument } from '../EditorDocument';
 import { below, objectsOf, pick, type Random } from './random';
 
-/** Field tables that a script may declare: one name with several kinds and defaults, or missing. */
+/** Field tables that a script may declare: a field's kind and default differ among them, and some lack it. */
 const tables = [
   'rate: number(1, { help })',
   'rate: number(2, { help }), word: string("a", { help })',

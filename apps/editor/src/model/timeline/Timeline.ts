@@ -341,7 +341,7 @@ export class Timeline implements EditRecorder {
   }
 
   private edited(): void {
-    // an edit of many fields emits once per field
+    // once is enough: an edit of many fields emits once per field
     if (this.isWaiting) return;
     this.isWaiting = true;
     queueMicrotask(() => {

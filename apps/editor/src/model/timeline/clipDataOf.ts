@@ -48,7 +48,7 @@ export function clipDataOf(clip: ClipAsset): ClipData {
   try {
     data = clip.clip;
   } catch {
-    // malformed: the component that plays the clip reports it
+    // the text is malformed: the component that plays the clip reports it
   }
   known.set(clip, { text, data });
   return data;

@@ -104,7 +104,7 @@ export const allKeys = ({ tracks }: ClipData): Set<string> =>
 export const keptSelection = (data: ClipData, selected: KeySelection): KeySelection =>
   new Set(selectedKeys(data, selected).map(({ key, track }) => keyId(trackId(track), key.time)));
 
-/** Inserts keys into a list, replacing simultaneous ones. @param added - in any order; the last one of a time counts */
+/** Inserts keys into a list, replacing simultaneous ones. @param added - in any order; later entries replace earlier */
 export function insertKeys(keys: readonly ClipKey[], added: readonly ClipKey[]): ClipKey[] {
   const byPlace = new Map(added.map((key) => [keyPlace(key.time), key]));
   return [...keys.filter(({ time }) => !byPlace.has(keyPlace(time))), ...byPlace.values()].toSorted(inOrder);

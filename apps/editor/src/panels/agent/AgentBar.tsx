@@ -8,7 +8,7 @@ import './agent.css';
 /** Signal that never emits, in place of `AgentLink.changed` while no agent is allowed. */
 const never = new Signal();
 
-/** Bar at the top of the window while agents may edit: clients, number of calls, and a button to end the link. */
+/** Bar at the top of the window while agents may edit: their names, number of calls, and a button to end the link. */
 export function AgentBar(): ReactNode {
   useSignal(linksChanged);
   const link = linkOf(useEditor());

@@ -14,8 +14,8 @@ interface AssetCardProps {
 }
 
 /**
- * Card of an asset, with picture and name. Dragged into the scene, a field or a folder, or placed by a double click or
- * Enter.
+ * Card of an asset, with picture and name. It can be dragged into the scene, a field or a folder, or placed by a double
+ * click or Enter.
  */
 export const AssetCard = memo(function AssetCard(props: AssetCardProps): ReactNode {
   const { entry, selected, dragged, onSelect, onPlace } = props;

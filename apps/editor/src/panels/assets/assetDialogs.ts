@@ -14,7 +14,7 @@ function checkRemovable({ document }: EditorApi, { isBuiltin, label, name }: Ass
   if (model) throw new Error(t('{label} is a part of {model}: delete that.', { label, model }));
 }
 
-/** Deletes assets and prefabs, in one step. When one is in use, first asks with a list of all places. */
+/** Deletes assets and prefabs in one step of history. When one is in use, first asks, with a list of all its uses. */
 export async function removeEntries(editor: EditorApi, entries: readonly AssetEntry[]): Promise<void> {
   const { document, commands, dialogs } = editor;
   const { scene } = document;

@@ -60,7 +60,7 @@ export function removeFolderAsked({ document, commands }: EditorApi, path: strin
   commands.run(removeFolder(document.scene, path));
 }
 
-/** Entries that add a script with the text of one of the library's. */
+/** Entries that add a script that begins with the text of one of the library's scripts. */
 export const templateEntries = (editor: EditorApi, folder: string): MenuEntry[] =>
   Object.entries(libraryScripts).map(([type, source]) => ({
     label: t(type),

@@ -61,7 +61,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
   const { scene } = document;
-  // not updated during a bake, which replaces meshes of the scene
+  // the counts are not updated during a bake, which replaces meshes of the scene
   const counts = usePoll(
     useCallback(() => countForBake(document.scene).join(), [document]),
     isRunning ? 0 : 2,

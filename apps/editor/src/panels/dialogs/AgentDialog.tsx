@@ -10,13 +10,13 @@ import '../agent/agent.css';
 /** Command that starts a server that accepts agents, not translated. */
 const COMMAND = 'npm start';
 
-/** Command by which an MCP client starts the server: the package's command, unless the dev server names a script. */
+/** Command by which an MCP client starts the server: a script that the dev server names, else that of the package. */
 async function startOf(): Promise<{ command: string; args: readonly string[] }> {
   try {
     const { agent } = (await (await fetch('./apps.json')).json()) as { agent?: string };
     if (agent) return { command: 'node', args: [agent] };
   } catch {
-    // a page served from a plain folder has no such file
+    // a page served from a plain folder has no apps.json: the package's command is used
   }
   return { command: 'npx', args: ['-y', '-p', '@farol/mcp', 'farol-mcp'] };
 }

@@ -40,7 +40,7 @@ export function DialogHost(): ReactNode {
   const popup = useRef<HTMLDivElement>(null);
   const [isAgentAsked, setAgentAsked] = useState(false);
   if (current?.kind === 'agent' && !isAgentAsked) setAgentAsked(true);
-  // at once, before a command of the palette moves it; Base UI would come later, and does not know what had it
+  // the focus returns before a palette command moves it; Base UI would do it later, without knowing where it was
   useEffect(() => {
     if (!current) (dialogs.before as HTMLElement | null)?.focus();
   }, [current, dialogs]);

@@ -32,7 +32,7 @@ export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode
           look="primary"
           label={label}
           aria-busy={isBusy}
-          // not `disabled`, since a disabled button loses the focus
+          // `aria-disabled` in place of `disabled`, since a disabled button loses the focus
           aria-disabled={isBusy}
           onClick={() => isBusy || editor.attempt(start)}
         />

@@ -18,7 +18,7 @@ function splitAt(layout: LayoutNode, path: readonly number[]): LayoutNode {
   return path.reduce((node, i) => (node.kind === 'split' ? node.children[i] : node), layout);
 }
 
-/** Divider between two places, dragged or moved by arrow keys. */
+/** Divider between two neighbouring parts of the dock, dragged or moved by arrow keys. */
 export function DockEdge({ edge, layout }: { edge: PlacedEdge; layout: LayoutNode }): ReactNode {
   const { panels, layout: panelLayout } = useEditor();
   const { path, index, direction, rectangle, sizes } = edge;

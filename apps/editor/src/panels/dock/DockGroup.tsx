@@ -3,7 +3,7 @@ import type { PanelGroup } from '../../layout/LayoutNode';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
 import type { DragPlace } from './useTabDrag';
 
-// fetched after the first frame, with the library of menus
+// the tab strip is fetched after the first frame, with the library of menus
 const TabStrip = lazy(async () => ({ default: (await import('./TabStrip')).TabStrip }));
 
 interface DockGroupProps {

@@ -18,7 +18,7 @@ const isSame = (a: DockPanelProps, b: DockPanelProps): boolean =>
   a.rectangle?.width === b.rectangle?.width &&
   a.rectangle?.height === b.rectangle?.height;
 
-/** A panel at its place: fetched when first in front; its effects are off while it is behind. */
+/** A panel at its place: fetched when first in front; its React effects are off while another panel covers it. */
 export const DockPanel = memo(function DockPanel({ id, isInFront, rectangle }: DockPanelProps): ReactNode {
   const [wasInFront, setWasInFront] = useState(isInFront);
   if (isInFront && !wasInFront) setWasInFront(true);

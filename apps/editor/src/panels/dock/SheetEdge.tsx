@@ -8,7 +8,7 @@ const STEP = 0.05;
 
 export interface SheetEdgeProps {
   readonly placed: PlacedSheet;
-  /** Share of the dock that the panel takes, 0 to 1. */
+  /** Share of the dock that the panel covers, 0 to 1. */
   readonly share: number;
   /** Size of the dock (CSS pixels). */
   readonly width: number;

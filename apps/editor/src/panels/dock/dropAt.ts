@@ -61,7 +61,7 @@ export function dropAt(
   }
   const side = sideAt(rectangle, x, y);
   const isOwn = group.panels.includes(panel);
-  // within its own group a panel can only be reordered, or moved to a side when others remain
+  // within its own group a panel can only be reordered, or moved to a side when other panels remain in it
   if (isOwn && (side === 'centre' || group.panels.length === 1)) return null;
   const extent = side === 'left' || side === 'right' ? rectangle.width : rectangle.height;
   return { drop: { group: group.id, side, extent }, mark: partOf(rectangle, side) };

@@ -4,7 +4,7 @@ import type { PlacedGroup } from '../../layout/placeLayout';
 
 type Side = Exclude<DropSide, 'centre'>;
 
-/** Distance from a rectangle to another one at a side; null when the other is not at that side, or not opposite. */
+/** Distance between rectangles facing each other; null when `to` is not at that side of `from`, or not opposite it. */
 function distance(from: PlacedGroup['rectangle'], to: PlacedGroup['rectangle'], side: Side): number | null {
   const isRow = side === 'left' || side === 'right';
   const overlap = isRow

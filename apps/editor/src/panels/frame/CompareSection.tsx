@@ -44,7 +44,7 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
   const times = usePoll(
     useCallback(() => {
       const both = [viewport.farol.info, wipe.other.info];
-      // both times from the same timer, so that they can be compared
+      // both times are on the GPU, or both on the CPU, so that they can be compared
       const isTimed = both.every(({ gpuMs }) => gpuMs !== null);
       const times = both.map(({ cpuMs, gpuMs }) =>
         isTimed ? `${gpuMs!.toFixed(2)} ms GPU` : `${cpuMs.toFixed(2)} ms CPU`,

@@ -11,7 +11,7 @@ export function EffectCosts(): ReactNode {
   const rows = usePoll(
     useCallback(() => {
       const { info, effects } = viewport.farol;
-      // draws of one effect in a frame share one record
+      // an effect that is drawn several times in a frame has one entry of `info.passes`
       const passes = new Map(info.passes.map((pass) => [pass.name, pass]));
       return effects
         .flatMap(({ name }) => passes.get(name) ?? [])

@@ -48,7 +48,7 @@ const textOf = (viewport: Viewport): string =>
     ]),
   );
 
-/** Legend of debug views, in each pane: scales, names of tiles, and the step that creates a missing buffer. */
+/** Legend of debug views, in each pane: scales, names of tiles, and a button that creates a missing buffer. */
 export function ViewOverlay(): ReactNode {
   const { viewport } = useEditor();
   useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));

@@ -6,7 +6,7 @@ import { Toggle } from '../../ui/Toggle';
 import { ViewsPainter } from '../../viewport/painters/ViewsPainter';
 import { Section } from '../inspector/Section';
 
-/** Switches the grid of all debug views, and sets the scale of those that count. */
+/** Switches the grid of all debug views, and sets the scale of heat maps (number of lights, overdraw). */
 export function ViewsSection(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

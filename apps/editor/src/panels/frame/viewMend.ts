@@ -4,13 +4,13 @@ import type { View } from '@farol/renderer';
 import type { EditorApi } from '../../api/EditorApi';
 import { setValues } from '../../model/edits';
 
-/** A step that makes the renderer create the buffer of a debug view, and the label of its button. */
+/** Button that makes the renderer create the buffer of a debug view: its label, and what it does. */
 export interface ViewMend {
   readonly label: string;
   run(): void;
 }
 
-/** The step that creates a view's buffer; null when the user has to choose, such as which light casts shadows. */
+/** Button that creates a view's buffer; null when the user has to choose, such as which light casts shadows. */
 export function viewMend(editor: EditorApi, view: View): ViewMend | null {
   const { commands, document, viewport } = editor;
   const { settings } = document.scene;

@@ -13,7 +13,7 @@ interface HierarchyRowProps {
   readonly tree: TreeInstance<string>;
   readonly item: ItemInstance<string>;
   readonly object: GameObject;
-  /** Distance from the top of the tree, and height (CSS pixels). */
+  /** Distance of the row from the top of the tree; `height` is the row's height (CSS pixels). */
   readonly top: number;
   readonly height: number;
   /** Text of `rowState`; the row is rendered again when it changes. */
@@ -87,7 +87,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
           aria-label={t('Name of {name}', { name: object.name })}
           onClick={(event) => event.stopPropagation()}
           onFocus={({ currentTarget }) => currentTarget.select()}
-          // `abortRenaming` would move the focus back into the tree
+          // not by `abortRenaming`, which would move the focus back into the tree
           onBlur={() => tree.applySubStateUpdate('renamingItem', null)}
           onKeyDown={(event) => {
             event.stopPropagation();

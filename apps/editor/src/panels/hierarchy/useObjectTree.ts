@@ -155,7 +155,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     hotkeys: {
       // F2 is an action of the editor, available with focus anywhere
       renameItem: { hotkey: 'F2', isEnabled: () => false, handler: () => {} },
-      // handled by the field, which ignores Enter while an input method composes text
+      // Enter is handled by the field, which ignores it while an input method composes text
       completeRenaming: { hotkey: 'Enter', isEnabled: () => false, handler: () => {} },
       abortRenaming: { hotkey: 'Escape', isEnabled: () => false, handler: () => {} },
       // without a search Ctrl+A is an action of the editor: it selects everything, folded or not
@@ -184,7 +184,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
   useEffect(() => tree.rebuildTree(), [tree, structure, expandedItems, query]);
   useEffect(() => document.opened.subscribe(() => setExpandedItems([])), [document]);
 
-  // scrolls to objects selected elsewhere, as in the viewport or by undo
+  // the tree scrolls to objects selected elsewhere, as in the viewport or by undo
   const primary = document.selection.primary;
   useEffect(() => {
     const above: string[] = [];

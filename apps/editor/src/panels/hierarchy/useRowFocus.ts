@@ -47,7 +47,7 @@ export function useRowFocus(tree: TreeInstance<string>): void {
       document.removeEventListener('pointerdown', pressed);
     };
   }, [tree]);
-  // after each rendering, since rows change one rendering after the edit
+  // this effect runs after each rendering, since rows change one rendering after the edit
   useEffect(() => {
     const isLost = isInside.current && document.activeElement === document.body;
     if (isLost || isAsked(tree).rowFocus) focusRow(tree);

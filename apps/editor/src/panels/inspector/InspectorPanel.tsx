@@ -21,7 +21,7 @@ export function InspectorPanel(): ReactNode {
   useSignal(search.changed);
   const { text: filter } = search;
   const words = useMemo(() => wordsOfFilter(filter), [filter]);
-  // deferred, so that moving through the tree with a held key does not wait for the inspector
+  // the ids are deferred, so that moving through the tree with a held key does not wait for the inspector
   const ids = useDeferredValue(document.selection.ids);
 
   const asset = document.assetSelection.primary;
@@ -58,7 +58,7 @@ export function InspectorPanel(): ReactNode {
       onPointerOver={show}
       onFocus={show}
       onBlur={() => setHelp('')}
-      // on touch screens the browser sends pointerleave after each tap
+      // touch does not hide the help: on touch screens the browser sends pointerleave after each tap
       onPointerLeave={({ pointerType }) => pointerType !== 'touch' && setHelp('')}
     >
       <header className="panel-header">

@@ -6,7 +6,7 @@ import { ownersName } from '../../model/ownersName';
 import { useEditor } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
 
-/** Menu of measured lamps and skies that lights can become, one step each. @param props.components - Lights, memoised */
+/** Menu of measured lamps and skies whose values the lights can take. @param props.components - Lights, memoised */
 export function LightBar({ components }: { components: readonly Component[] }): ReactNode {
   const { commands } = useEditor();
   const become = (preset: keyof typeof lightPresets, name: string): void => {

@@ -48,7 +48,7 @@ interface SettingsSectionProps {
   readonly children?: ReactNode;
 }
 
-/** A section of the scene's settings, folded at first when all are at their defaults. */
+/** A section of the scene's settings, folded at first when all settings in it have their defaults. */
 export function SettingsSection({ settings, names, children, ...section }: SettingsSectionProps): ReactNode {
   const owners = useMemo(() => [settings], [settings]);
   const [isFoldedAtFirst] = useState(() => allAtDefault(settings, names));

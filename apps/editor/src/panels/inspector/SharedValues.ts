@@ -18,7 +18,7 @@ export class SharedValues {
     // fields of objects that were temporarily out of the scene may have changed without a signal
     if (structure.revision !== this.structure) known.clear();
     this.structure = structure.revision;
-    // recorded values depend on the time; a view of another field changes with that field
+    // recorded values depend on the time; a field that shows another field changes with that field
     if (commands.recorder || owners[0].fields[name].viewOf) known.delete(name);
     const value = known.get(name) ?? sharedValue(owners.map((owner) => commands.valueOf(owner, name)));
     if (!commands.recorder) known.set(name, value);

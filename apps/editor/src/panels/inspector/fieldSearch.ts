@@ -17,7 +17,7 @@ export class FieldSearch {
     return this.words;
   }
 
-  /** Sets the text. @param endsWithSelection - clears it when the selection changes, for fields that others may lack */
+  /** Sets the text. @param endsWithSelection - whether a new selection, which may lack the field, clears the text */
   find(text: string, endsWithSelection = false): void {
     this.words = text;
     this.endsWithSelection = endsWithSelection;

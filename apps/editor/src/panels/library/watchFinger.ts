@@ -31,7 +31,7 @@ export function watchFinger(element: HTMLElement, drop: (at: Point) => void): ()
     copy.classList.add('library-dragged');
     copy.setAttribute('aria-hidden', 'true');
     copy.inert = true;
-    // inside the editor, so that the copy has its theme
+    // the copy is added inside the editor's element, so that it has the editor's theme
     (element.closest('.panel')?.parentElement ?? document.body).append(copy);
     follow(start);
   };

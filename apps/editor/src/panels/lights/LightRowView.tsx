@@ -41,7 +41,7 @@ export interface RowProps {
 interface LightRowViewProps extends RowProps {
   readonly id: string;
   readonly index: number;
-  /** Distance from the top of the rows, and height (CSS pixels). */
+  /** Distance of the row from the top of all rows; `height` is the row's height (CSS pixels). */
   readonly top: number;
   readonly height: number;
   /** Text of `rowState`; the row is rendered again when it changes. */

@@ -64,7 +64,7 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
           0,
           rows.findIndex(({ id }) => id === active),
         );
-  /** Selects a row, or the range from its first row to this one. */
+  /** Selects a row or, to extend the selection, all rows from `anchor` to that row. */
   const select = (index: number, extends_: boolean): void => {
     const row = rows.at(index);
     if (!row) return;

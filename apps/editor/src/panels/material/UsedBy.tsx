@@ -13,7 +13,7 @@ const MOST = 50;
 export function UsedBy({ name }: { name: string }): ReactNode {
   const { document, commands } = useEditor();
   useSignal(commands.changed);
-  // updates after commands only, not after each preview of a drag
+  // the list is updated after commands only, not after each preview of a drag
   const step = commands.last;
   const { scene } = document;
   const usages = useMemo(() => {

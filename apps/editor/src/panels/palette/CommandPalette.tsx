@@ -15,7 +15,7 @@ import { LINES, objectItems, OBJECTS, type PaletteItem, paletteItems } from './p
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const [query, setQuery] = useState('');
-  // read in the commit that replaces the field typed into so far: React can hold it back for 0.3 s after the render
+  // `typed` is read when this field replaces the one typed into before, which React may do 0.3 s after the render
   const begin = useCallback(
     (input: HTMLInputElement | null) => {
       input?.focus();
@@ -41,7 +41,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const run = (item: PaletteItem | undefined): void => {
     if (!item) return;
     onClose();
-    // deferred, so that the focus has returned to its former element when the command runs
+    // the command runs in the next frame, when the focus has returned to the element that had it before the palette
     requestAnimationFrame(() => editor.attempt(() => item.run()));
   };
   const keyDown = (event: KeyboardEvent): void => {

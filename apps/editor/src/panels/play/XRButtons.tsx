@@ -6,7 +6,7 @@ import { useEditor } from '../../ui/EditorContext';
 
 const fetchXR = () => import('@farol/engine/xr');
 
-/** Buttons that show the playing scene in a headset; nothing without a headset. With the play its session ends. */
+/** Buttons that show the playing scene in a headset; nothing without one. When playing stops, the XR session ends. */
 export function XRButtons(): ReactNode {
   const editor = useEditor();
   const [modes, setModes] = useState<readonly XRMode[]>([]);
@@ -14,7 +14,7 @@ export function XRButtons(): ReactNode {
     if ('xr' in navigator) editor.attempt(async () => setModes(await (await fetchXR()).xrModes()));
   }, [editor]);
   const session = useRef<Promise<XRSession>>(null);
-  // rejected where the user refused it, or has ended it
+  // the promise is rejected when the user has refused the session, or has ended it already
   useEffect(() => () => void session.current?.then((begun) => begun.end()).catch(() => undefined), []);
   const enter = async (mode: XRMode): Promise<void> => {
     const { viewport, document } = editor;

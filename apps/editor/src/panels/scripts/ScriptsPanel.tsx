@@ -18,7 +18,7 @@ import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
 
 const known = new WeakMap<EditorApi, ScriptEditing>();
 
-/** The editing of an editor's scripts, with the texts being typed. */
+/** The `ScriptEditing` of an editor, which holds the texts being typed; created at the first call. */
 function useScriptEditing(): ScriptEditing {
   const editor = useEditor();
   let editing = known.get(editor);
@@ -27,7 +27,7 @@ function useScriptEditing(): ScriptEditing {
   return editing;
 }
 
-/** The scene's scripts: list and editor; a text runs while it is typed. */
+/** The scene's scripts: list and editor; a script's text runs while it is typed. */
 export function ScriptsPanel(): ReactNode {
   const editor = useEditor();
   const editing = useScriptEditing();

@@ -12,7 +12,7 @@ const valueOf =
   (before: FieldValue): FieldValue =>
     typeof update === 'function' ? update(before) : update;
 
-/** Edits times or values of the selected keys from fields: previews while dragging or typing, then one step. */
+/** Edits times or values of the selected keys from fields: previewed meanwhile, then one step of history. */
 export class KeyGesture {
   private gesture: ClipGesture | null = null;
   private selected: KeySelection = new Set();
@@ -33,7 +33,7 @@ export class KeyGesture {
     );
   }
 
-  /** Commits the last preview, or this value, as one step. */
+  /** Commits the last preview, or this value, as one step of history. */
   commit(update?: Update): void {
     if (update !== undefined) this.previewValues(update);
     const { last } = this.commands;
@@ -42,7 +42,7 @@ export class KeyGesture {
     this.step = this.commands.last === last ? null : this.commands.last;
   }
 
-  /** Merges a value that arrives after the commit into the same step. */
+  /** Merges a value that arrives after the commit into the same step of history. */
   amend(update: Update): void {
     const { clip, data, selection } = this.timeline;
     if (!this.step || !clip) this.commit(update);

@@ -5,13 +5,13 @@ export interface SheetDrag {
   /** Called when the press becomes a drag. */
   begin?(): void;
   move(x: number, y: number, event: PointerEvent): void;
-  /** @param keeps - whether the result is kept */
+  /** @param keeps - whether the drag's result is kept; false when it is cancelled */
   end(keeps: boolean): void;
   /** Called when the pointer is released without a drag. */
   click?(event: PointerEvent): void;
 }
 
-/** A drag that edits the clip: previewed while it moves, and one step at the end. */
+/** A drag that edits the clip: previewed while it moves, and committed as one step of history at the end. */
 export function editDrag(
   timeline: Timeline,
   preview: (gesture: ClipGesture, x: number, y: number, event: PointerEvent) => void,

@@ -209,7 +209,7 @@ export class TimelinePointer {
     };
   }
 
-  /** Two fingers: pan and zoom. */
+  /** Pans and zooms by two fingers. */
   private pinch(): SheetDrag {
     const { view, fingers } = this;
     const read = (): { x: number; distance: number } => {

@@ -42,10 +42,10 @@ export class TimelineView {
   width = 0;
   height = 0;
   scrollTop = 0;
-  /** Time at the left edge (s), and CSS pixels per second. */
+  /** Time at the left edge (s); `scale` is the CSS pixels per second. */
   start = 0;
   scale = 200;
-  /** Value at the centre of the curve view, and CSS pixels per unit. */
+  /** Value at the centre of the curve view; `valueScale` is the CSS pixels per unit of the value. */
   middleValue = 0;
   valueScale = 40;
   box: Box | null = null;
@@ -127,7 +127,7 @@ export class TimelineView {
     this.draw();
   }
 
-  /** Scales the time axis about a position of the canvas. */
+  /** Scales the time axis about a position of the canvas (CSS pixels). */
   zoom(factor: number, x: number): void {
     const time = this.time(x);
     this.scale = this.limit(this.scale * factor);

@@ -8,7 +8,7 @@ import { HEADER, type TimelineView } from './TimelineView';
 
 interface TrackListProps {
   readonly view: TimelineView;
-  /** Height of the visible part, and its scroll position (CSS pixels). */
+  /** Height of the visible part of the list; `scrollTop` is its scroll position (CSS pixels). */
   readonly height: number;
   readonly scrollTop: number;
   readonly scroller: RefObject<HTMLDivElement | null>;

@@ -87,7 +87,7 @@ function limited({ row, fromShown }: ShownCurve, shown: number, toShown: (value:
   return value > max ? toShown(max) : shown;
 }
 
-/** Drags the selected keys: all of them in time, those of its curve in value. Shift restricts to one direction. */
+/** Drags the selected keys in time, and those of the dragged curve in value. Shift restricts to one direction. */
 export function dragCurveKey(
   view: TimelineView,
   { curve, index }: CurveKey,

@@ -196,7 +196,7 @@ function drawOutside(context: Context, view: TimelineView, colours: TimelineColo
 
 function drawEnd(context: Context, view: TimelineView, colours: TimelineColours): void {
   const end = view.x(view.timeline.duration);
-  // the handle that changes the clip's duration
+  // draws the handle that changes the clip's duration
   context.beginPath();
   context.moveTo(end - 1, 2);
   context.lineTo(end + 6, 2);

@@ -24,7 +24,7 @@ export function marksOfTrack(track: ClipTrack): KeyMarks {
   return marks;
 }
 
-/** The marks of several tracks together. @param tracks - cached by array, so that `data.tracks` is cheap */
+/** The marks of several tracks together. @param tracks - key of a cache: the same array gives the same marks */
 export function marksOfTracks(tracks: readonly ClipTrack[]): KeyMarks {
   let marks = ofLists.get(tracks);
   if (!marks) {

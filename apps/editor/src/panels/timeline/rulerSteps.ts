@@ -30,7 +30,7 @@ export function marksBetween(from: number, to: number, step: number): number[] {
   return Array.from({ length: count }, (_, i) => first + i);
 }
 
-/** The smallest of 1, 2, 5, 10, 20 and so on that is at least a number. */
+/** The smallest of 1, 2, 5, 10, 20 and so on that is not below a number. */
 function niceAbove(least: number): number {
   if (!(least > 1e-100 && least < 1e100)) return 1;
   for (let power = 10 ** Math.floor(Math.log10(least)); ; power *= 10) {

@@ -73,7 +73,7 @@ export function dragMarks(
   return { ...moveSelected(view, marks.times[at], x), click: () => chooseAlone(timeline, ids, event) };
 }
 
-/** Moves the selection. @param anchor - time that snaps to frames @param from - position of the press */
+/** Moves the selection. @param anchor - time that snaps to frames @param from - position of the press (CSS pixels) */
 export function moveSelected(view: TimelineView, anchor: number, from: number): SheetDrag {
   const { timeline } = view;
   const { keys } = timeline.selection;
@@ -85,9 +85,9 @@ export function moveSelected(view: TimelineView, anchor: number, from: number): 
 }
 
 /**
- * Scales the selected keys in time; null when none are.
+ * Scales the selected keys in time; null when none is selected.
  * @param isEnd - drags the last key, about the first; else the reverse
- * @param from - position of the press
+ * @param from - position of the press (CSS pixels)
  */
 export function scaleSelected(view: TimelineView, isEnd: boolean, from: number): SheetDrag | null {
   const { timeline } = view;

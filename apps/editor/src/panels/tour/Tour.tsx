@@ -63,7 +63,7 @@ function Step({ current }: { current: number }): ReactNode {
   useLayoutEffect(() => {
     let frame = 0;
     let last = '';
-    // each frame, since controls move as panels load and the window changes
+    // the control is followed in each frame, since it moves as panels load and the window changes
     const follow = (): void => {
       frame = requestAnimationFrame(follow);
       const { offsetWidth, offsetHeight } = card.current!;

@@ -62,7 +62,7 @@ export function ViewCube(): ReactNode {
   );
 }
 
-/** Shows and toggles the projection. */
+/** Button that shows and toggles the projection. */
 function ProjectionButton(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

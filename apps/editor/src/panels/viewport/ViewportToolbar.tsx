@@ -44,7 +44,7 @@ export function ViewportToolbar(): ReactNode {
   const [ref, isNarrow] = useIsNarrow(FOLDED);
   const isSmall = useSyncExternalStore(layout.subscribe, layout.isSmall) || isNarrow;
   useSignal(viewport.changed);
-  // rendered again with the increments, which the label of the snapping button contains
+  // the toolbar is rendered again when the increments change, since the snapping button's label contains them
   usePreferences(({ snapSteps }) => snapSteps);
   useSignal(document.structure);
   const cameras = document.scene.componentsOf(Camera).map((camera) => ({

@@ -99,7 +99,7 @@ function setHead(scene: Scene, key: string, value: unknown): void {
   }
 }
 
-/** Replaces the prefabs, in the order of the file; their instances are updated by separate parts. */
+/** Replaces the prefabs, in the order of the file; their instances are updated by other parts of the scene. */
 function setPrefabs(scene: Scene, prefabs: readonly Prefab[]): void {
   for (const { id } of [...scene.prefabs.list]) scene.prefabs.delete(id);
   for (const prefab of prefabs) scene.prefabs.set(prefab);

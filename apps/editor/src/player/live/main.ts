@@ -31,11 +31,11 @@ const line = document.createElement('p');
 line.setAttribute('role', 'status');
 document.body.append(line);
 
-/** Parts of the displayed scene. */
+/** JSON of the parts of the displayed scene. */
 let shown: ReadonlyMap<PartKey, string> = new Map();
-/** Parts of the scene as last received; null until all have arrived. */
+/** JSON of the scene's parts as last received; null until all parts have arrived. */
 let told: Map<PartKey, string> | null = null;
-/** Parts of the whole scene while they arrive; null otherwise. */
+/** JSON of the scene's parts while the whole scene is being received; null otherwise. */
 let coming: Map<PartKey, string> | null = null;
 let registry = new ComponentRegistry();
 let scripts: SceneScripts | null = null;
@@ -77,7 +77,7 @@ async function makeScene(parts: ReadonlyMap<PartKey, string>): Promise<Scene> {
     assets,
     registry,
     fileOf: (path) => files.get(path) ?? null,
-    // the editor has asked its user already
+    // the editor has already asked its user whether the scene may fetch from other hosts
     mayFetch: () => true,
   });
   scene.onComponentError = (component, error) => console.warn(component.typeName, error);

@@ -16,7 +16,7 @@ export class Flicker extends component({
     if (!light) return;
     const beat = time * this.rate;
     const wave = (Math.sin(beat * 2.1) + Math.sin(beat * 3.7 + 1) + Math.sin(beat * 7.3 + 2)) / 6 + 0.5;
-    // three's light rather than the field, since simulation must not edit fields
+    // changes three's light rather than the field, since simulation must not edit fields
     light.three.intensity = light.intensity * (time === 0 ? 1 : 1 - this.depth * wave);
   }
 }

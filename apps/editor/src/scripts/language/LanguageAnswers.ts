@@ -26,7 +26,7 @@ export interface ScriptCompletion {
   readonly insert?: string;
   /** Module to import the name from, when it is not imported yet. */
   readonly module?: string;
-  /** Ranks the suggestion among equally good matches; the higher the earlier. */
+  /** Rank of the suggestion among equally good matches; a higher rank comes earlier. */
   readonly boost?: number;
 }
 

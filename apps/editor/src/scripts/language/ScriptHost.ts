@@ -82,7 +82,7 @@ export class ScriptHost implements ts.LanguageServiceHost {
   }
 
   getScriptFileNames(): string[] {
-    // all modules, also those that no script imports yet, so that completion knows them
+    // all modules are included, also those that no script imports yet, so that completion knows them
     const { globals, modules } = this.declarations;
     return [...globals, ...Object.values(modules), ...this.texts.keys()];
   }

@@ -72,7 +72,7 @@ export class ScriptService implements LanguageQuestions {
         label: name,
         kind,
         ...(insertText === undefined ? {} : { insert: insertText }),
-        // in TypeScript's order: local declarations before global ones
+        // suggestions are ranked in TypeScript's order: local declarations before global ones
         boost: sortText === '11' ? 2 : sortText === '15' ? -2 : 0,
       }));
     if (!found.isMemberCompletion && word.length >= 2) options.push(...this.imports(word, options));

@@ -16,7 +16,7 @@ export interface AssistedDrag {
   readonly axis: string;
   readonly space: 'world' | 'local';
   readonly dragged: readonly GameObject[];
-  /** Object that the drag moves; not below any of the dragged objects. */
+  /** Object that three's handles move; not a descendant of any of the dragged GameObjects. */
   readonly pivot: Object3D;
 }
 
@@ -33,7 +33,7 @@ const AXES: Readonly<Record<string, Vector3>> = {
   Z: new Vector3(0, 0, 1),
 };
 
-/** Handle of the plane perpendicular to each axis. */
+/** Name of the plane handle perpendicular to an axis, by the axis. */
 const PLANES: Readonly<Record<string, string>> = { X: 'YZ', Y: 'XZ', Z: 'XY' };
 
 const turn = new Quaternion();
@@ -128,7 +128,7 @@ export class DragAssist {
   }
 
   /**
-   * Moves the pivot to the snapped or typed position instead of as three's handles do, and shows the amount.
+   * Moves the pivot to the snapped or typed position, in place of the one by three's handles, and shows the amount.
    * @returns whether the drag is a move that also rotates the pivot
    */
   apply(choices: DragChoices): boolean {
@@ -194,7 +194,7 @@ export class DragAssist {
       if (mode === 'translate') pivot.position.addScaledVector(this.axisOf(letter, drag), value);
       else if (mode === 'rotate')
         pivot.quaternion.premultiply(turn.setFromAxisAngle(this.axisOf(letter, drag), toRadians(value)));
-      // never 0: a scale of 0 cannot be changed by dragging any more
+      // the scale is never set to 0, which dragging could not change any more
       else if (letter === '') pivot.scale.setScalar(value || 1);
       else pivot.scale.setComponent('XYZ'.indexOf(letter), value || 1);
     });
@@ -221,7 +221,7 @@ export class DragAssist {
       const isTyped = i === typed.at;
       return { axis, text: `${before}${text}${isTyped ? '▏' : ''}${after}`, isTyped, isWrong: typed.isWrong(i) };
     });
-    // the readout's parent may contain other views
+    // the readout's position is relative to the canvas's parent, which may be larger than this view
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     const whole = this.canvas.parentElement?.getBoundingClientRect() ?? { left, top };
     const x = left - whole.left + ((this.pointer.x + 1) / 2) * width;

@@ -8,7 +8,7 @@ import { nearestVertex } from './nearestVertex';
 /** Target that drags snap to. */
 export type SnapTarget = 'grid' | 'surface' | 'vertex';
 
-/** Maximum number of vertices of dragged objects that are compared; beyond it, only the corners of their box. */
+/** Maximum number of vertices of dragged objects that may snap; with more, the corners of their common box snap. */
 const MOST_VERTICES = 3000;
 /** Distance that objects without a mesh, such as lights, keep from a surface (m). */
 const CLEARANCE = 0.1;

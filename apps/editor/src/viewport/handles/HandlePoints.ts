@@ -16,7 +16,7 @@ import type { Bounds } from '../panes/paneSurface';
 import { DragReadout } from './DragReadout';
 import './handles.css';
 
-/** Distances to a handle (CSS pixels) within which a mouse grabs it, and a finger. */
+/** Largest distance to a handle (CSS pixels) at which a mouse can grab it; below, the same for a finger. */
 const REACH = 9;
 const FINGER_REACH = 18;
 /** Width of a drawn handle (CSS pixels). */
@@ -52,7 +52,7 @@ export interface HandleHost {
   invalidate(): void;
 }
 
-/** Rounds to a step, without floating-point noise. */
+/** Rounds to a multiple of a step, without floating-point noise. */
 export const roundTo = (value: number, step: number): number => Number((Math.round(value / step) * step).toFixed(4));
 
 /** Distance along a line from its origin to the point closest to a ray; null when they are parallel. */
@@ -99,7 +99,7 @@ export class HandlePoints {
     this.three.frustumCulled = false;
     this.readout = new DragReadout(host.canvas);
     const options = { signal: this.abort.signal, capture: true };
-    // registered before the listeners of camera, gizmo and picker, which then see the event later
+    // these listeners are registered first, so that they run before those of camera, gizmo and picker
     host.canvas.addEventListener('pointerdown', (event) => this.pointerDown(event), options);
     host.canvas.addEventListener('pointermove', (event) => this.pointerMove(event), options);
     host.canvas.addEventListener('pointerup', (event) => this.pointerUp(event), options);

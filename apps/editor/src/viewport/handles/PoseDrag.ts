@@ -56,7 +56,7 @@ export class PoseDrag {
     );
   }
 
-  /** The step that moves the objects along with the proxy's current pose. @param options - see `TransformDrag.poses` */
+  /** Command that moves the objects along with the proxy to its current pose. @param options - see `TransformDrag` */
   command(mode: TransformMode, options: Parameters<TransformDrag['poses']>[1]): SetFields {
     const poses = this.transform.poses(mode, options);
     const edits = poses.flatMap((pose, i) => editsOf(this.objects[i], this.before[i], pose));

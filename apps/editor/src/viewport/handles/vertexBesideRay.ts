@@ -6,7 +6,7 @@ import { treeOf } from '../trees/meshTrees';
 
 /** Largest distance from the pointer to a vertex, as a share of the view's height: 14 of 700 pixels. */
 const REACH = 0.02;
-/** Maximum number of vertices examined per ray, besides those in trees; beyond it, only in meshes that the ray hits. */
+/** Maximum number of vertices examined one by one per ray; beyond it, only those of meshes that the ray hits. */
 const MOST_VERTICES = 300_000;
 /** Depth by which a vertex may lie behind the hit and still count as visible, relative to the distance. */
 const BEHIND = 1e-3;
@@ -23,7 +23,7 @@ function heightOf(camera: Camera): { at: number; grows: boolean } {
     const { top, bottom, zoom } = camera as OrthographicCamera;
     return { at: Math.abs(top - bottom) / zoom, grows: false };
   }
-  // for any perspective projection: 2 tan(fov / 2) / zoom
+  // holds for any perspective projection: 2 tan(fov / 2) / zoom
   return { at: 2 / camera.projectionMatrix.elements[5], grows: true };
 }
 
@@ -65,7 +65,7 @@ export function vertexBesideRay(
       const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
       if (!positions) return;
       if (!geometry.boundingSphere) geometry.computeBoundingSphere();
-      // bones and morph targets move vertices out of the geometry's sphere
+      // the geometry's bounding sphere is enlarged by half, since bones and morph targets move vertices out of it
       if (!isNear(sphere.copy(geometry.boundingSphere!).applyMatrix4(matrix), 1.5)) return;
       const tree = !mesh || isRigid(mesh) ? treeOf(geometry) : null;
       if (tree) {

@@ -51,7 +51,7 @@ export class LightMeterTool implements Tool {
     const { left, top, width, height } = viewport.canvas.getBoundingClientRect();
     const { scene } = viewport.document;
     picture.draw(scene, viewport.camera);
-    // late code of some kinds of lights
+    // waits until the code that some kinds of lights need is fetched; then the scene is drawn again
     await picture.farol.ready;
     if (this.hasEnded) return;
     picture.draw(scene, viewport.camera);

@@ -3,7 +3,7 @@
 precision highp float;
 
 uniform sampler2D picture; // linear luminance (cd/m²) of the scene in white, which reflects all light evenly
-uniform vec3 stops[ 7 ]; // sRGB
+uniform vec3 stops[ 7 ]; // sRGB colours at 0.1, 1, 10, … lx
 out vec4 farol_color;
 
 void main() {

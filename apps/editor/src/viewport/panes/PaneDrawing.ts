@@ -23,10 +23,10 @@ export interface PaneSurface {
   readonly stamps: SceneStamps;
   readonly parts: Pick<LateParts, 'physics' | 'lightHandles' | 'particles'>;
   readonly painter: Painter | null;
-  /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
+  /** Name of the debug view, see `ViewportSettings`; 'grid' shows all debug views. */
   readonly view: string;
   readonly lookThrough: CameraComponent | null;
-  /** Whether the scene is shown as to its players, with nothing drawn over it. */
+  /** Whether the scene is shown as its players see it, with nothing drawn over it. */
   readonly isPlayed: boolean;
   readonly onError: (error: unknown) => void;
   cameraOf(pane: ViewPane): Camera;
@@ -73,7 +73,7 @@ export class PaneDrawing {
     surface.stamps.draw(surface.document.scene.three, () => this.drawScene(pane, camera, lookThrough));
     gizmo.update(surface.raysOf(pane), surface.isPlayed);
     const view = isPlain(pane.shading) ? null : surface.farol.info.view;
-    // copied, since the next view overwrites the object
+    // `view` is copied, since the renderer overwrites this object when it draws the next view
     pane.shown = view && { ...view, tiles: view.tiles.map((tile) => ({ ...tile })) };
     if (
       !surface.isPlayed &&

@@ -39,7 +39,7 @@ export class Panes {
     private readonly hasKeys: () => boolean,
     private readonly activated: () => void,
   ) {
-    // captured first, so that the right view is active when other listeners run
+    // pointer events are captured before other listeners run, which then find the view under the pointer active
     canvas.addEventListener('pointerdown', this.pointerMoved, true);
     canvas.addEventListener('pointermove', this.pointerMoved, true);
     canvas.addEventListener('wheel', this.pointerMoved, { capture: true, passive: true });
@@ -82,7 +82,7 @@ export class Panes {
     this.resize(this.width, this.height);
   }
 
-  /** Share of the viewport that each view takes. */
+  /** Share of the viewport that each view has. */
   get share(): PaneShare {
     return this.part;
   }
@@ -115,7 +115,7 @@ export class Panes {
     return this.current.bounds;
   }
 
-  /** Activates the view at a point of the page. */
+  /** Activates the view at a point of the page (CSS pixels). */
   activateAt(clientX: number, clientY: number): void {
     const { left, top } = this.canvas.getBoundingClientRect();
     const [x, y] = [clientX - left, clientY - top];
@@ -158,7 +158,7 @@ export class Panes {
     for (const { editorCamera } of this.panes) editorCamera.control(Controls);
   }
 
-  /** Registers the cameras' pointer listeners again, behind the canvas's current ones. */
+  /** Registers the cameras' pointer listeners again, so that they run after the canvas's other listeners. */
   listenLast(): void {
     for (const { editorCamera } of this.panes) editorCamera.listenLast();
   }

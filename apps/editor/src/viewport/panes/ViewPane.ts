@@ -35,7 +35,7 @@ export class ViewPane {
     );
   }
 
-  /** Rectangle on the page. */
+  /** Rectangle of the view on the page (CSS pixels). */
   get bounds(): Bounds {
     const { x, y, width, height } = this.rectangle;
     const { left, top } = this.canvas.getBoundingClientRect();

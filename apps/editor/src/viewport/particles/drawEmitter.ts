@@ -6,7 +6,7 @@ import type { LineSet } from '../LineSet';
 const CONE_HEIGHT = 1;
 /** Half of the side of the square drawn for a collision plane (m). */
 const PLANE_REACH = 2;
-/** Half of the length of the lines of a point (m). */
+/** Radius of the sphere drawn for an emitter that is a point (m). */
 const POINT = 0.15;
 
 const centre = new Vector3();

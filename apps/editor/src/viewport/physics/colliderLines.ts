@@ -126,7 +126,7 @@ function makeSegments(geometry: BufferGeometry, kind: 'hull' | 'mesh'): Float32A
   let shown = geometry;
   if (kind === 'hull') {
     const points = Array.from({ length: positions.count }, (_, i) => new Vector3().fromBufferAttribute(positions, i));
-    // a hull has at least four points
+    // a hull needs at least four points; with fewer, the edges of the geometry itself are drawn
     shown = points.length < 4 ? geometry : new ConvexGeometry(points);
   }
   const made = new EdgesGeometry(shown, 1);

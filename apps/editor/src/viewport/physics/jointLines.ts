@@ -9,7 +9,7 @@ const u = new Vector3();
 const v = new Vector3();
 const axis = new Vector3();
 
-/** Size of a joint's lines (m). */
+/** Radius of a hinge's circle (m); a joint's other lines are fractions or multiples of it. */
 const SIZE = 0.25;
 
 /** World position of a joint's anchor. */

@@ -69,7 +69,7 @@ export class PixelLightingTool implements Tool {
     } catch (error) {
       if (!signal.aborted) throw error;
     } finally {
-      // otherwise a later click has stopped the loop, and starts it again
+      // skipped after a later click, which has stopped the frame loop for its own analysis and starts it again itself
       if (this.work === work) {
         this.work = null;
         loop.start();

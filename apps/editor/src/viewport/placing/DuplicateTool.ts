@@ -62,7 +62,7 @@ export class DuplicateTool implements Tool {
     onEnd: () => void,
   ) {
     const { commands, selection, scene } = document;
-    // first, since this ends an open gesture of another tool, which may restore values read below
+    // the gesture begins first: this ends an open gesture of another tool, which may restore values that are read below
     this.gesture = commands.begin();
     const selected = document.selectedObjects;
     const last = selected.at(-1)!;

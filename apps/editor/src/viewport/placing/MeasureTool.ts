@@ -49,7 +49,7 @@ export class MeasureTool implements Tool {
     this.lines.end();
   }
 
-  /** Both ends (m, world); the second follows the pointer until clicked. Null until there are two. */
+  /** Ends of the measured line (m, world); the second follows the pointer until clicked. Null until there are two. */
   get ends(): readonly [Vector3, Vector3] | null {
     return this.first && this.second ? [this.first, this.second] : null;
   }
@@ -86,7 +86,7 @@ export class MeasureTool implements Tool {
     const { lines, first, second } = this;
     lines.begin();
     if (first && second) {
-      // one line along each axis, then the direct one
+      // draws one line along each axis, then the direct line
       const corners = [
         first,
         new Vector3(second.x, first.y, first.z),

@@ -22,7 +22,7 @@ function drawnBoxOf(assets: AssetLibrary, object: GameObject): Box3 {
   scene.updateMatrixWorld();
   const box = new Box3();
   for (const node of subtree.nodes) box.expandByObject(node);
-  // relative to the root of the model's parts, whose place the object takes
+  // the box is relative to the root of the model's parts, whose place the object takes
   return part.union(box.applyMatrix4(subtree.root.matrixWorld.clone().invert()));
 }
 

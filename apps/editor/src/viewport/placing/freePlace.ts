@@ -3,7 +3,7 @@ import { Box3, Vector3 } from 'three';
 /** Boxes that overlap by less than this (m) only touch. */
 const TOUCH = 0.005;
 
-/** Maximum number of steps tried along one axis. */
+/** Maximum number of shifts tried along one axis. */
 const STEPS = 200;
 
 const size = new Vector3();

@@ -203,7 +203,7 @@ const rounded = (value: number, step: number): number => Math.round(value / step
 function moveBy(objects: readonly GameObject[], { x, y, z }: Vector3): void {
   for (const { transform } of objects) {
     const [px, py, pz] = transform.position;
-    // rounded to 0.1 mm, to drop rounding errors
+    // coordinates are rounded to 0.1 mm, which removes rounding errors
     const tidy = (value: number): number => Number(value.toFixed(4)) + 0;
     transform.position = [tidy(px + x), tidy(py + y), tidy(pz + z)];
   }
@@ -240,7 +240,7 @@ function throwDecal(object: GameObject, { point, normal }: Surface): void {
   moveBy([object], point);
 }
 
-/** Shortest shift (m) along a wall, in whole widths, that frees a box from obstacles; zero when there is none. */
+/** Shortest shift (m) along a wall, by multiples of a box's width, that frees the box from obstacles; zero for none. */
 function freeAlong(box: Box3, solid: readonly Box3[], side: Vector3): Vector3 {
   box.getSize(size);
   const width = Math.abs(side.x) * size.x + Math.abs(side.z) * size.z + 0.05;
@@ -251,7 +251,7 @@ function freeAlong(box: Box3, solid: readonly Box3[], side: Vector3): Vector3 {
   return new Vector3();
 }
 
-/** Mounts an object on the ceiling or wall at a screen point, beside others. @returns false when it has no such tag */
+/** Mounts an object on the ceiling or wall at a screen point. @returns false without a tag for it, or no place */
 function fix(view: LandingView, object: GameObject, point: Vector2): boolean {
   const mount = mountOf(object);
   if (!mount) return false;
@@ -312,7 +312,7 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
   for (const stand of standsAt(view, point, box)) {
     const landed = standOn(view, objects, box, isShape, stand);
     const movedBox = box.clone().translate(landed);
-    // a place hidden by other objects would confuse the user
+    // a place hidden behind other objects is avoided, since the user would not see the new object there
     const hidden = hiddenShare(movedBox, obstaclesFor(movedBox, scene, stand.on?.object ?? null, isShape), camera);
     if (hidden < leastHidden) [shift, leastHidden] = [landed, hidden];
     if (leastHidden <= HIDDEN_ENOUGH) break;

@@ -31,7 +31,7 @@ function beyond(view: LandingView, mount: Mount, { point, normal }: Surface, dir
   return found && found.distance < REACH ? found : null;
 }
 
-/** Whether the hit object is large enough to carry one of a size (m): lamps do not carry lamps. */
+/** Whether the hit object is large enough to carry an object of a size (m): lamps do not carry lamps. */
 function carries(mount: Mount, { object }: Surface, size: Vector3): boolean {
   if (!object) return true;
   const there = boundsOf([object], new Box3(), false).getSize(new Vector3());

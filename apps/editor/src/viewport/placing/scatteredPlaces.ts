@@ -35,7 +35,7 @@ class PointGrid {
 }
 
 /**
- * Places scattered over a surface, determined by the seed; a larger count extends a smaller one.
+ * Places scattered over a surface, determined by the seed; a larger count only adds places.
  * @param feet - for each original, height of its origin above its lowest point (m)
  * @returns fewer than `count` when no more fit at the smallest distance; none without a surface
  */

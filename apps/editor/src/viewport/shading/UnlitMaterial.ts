@@ -38,7 +38,7 @@ export class UnlitMaterial extends ShaderMaterial {
     });
   }
 
-  /** called by three for each object */
+  /** three calls this before it draws an object */
   override onBeforeRender(
     _webgl: WebGLRenderer,
     _scene: Scene,

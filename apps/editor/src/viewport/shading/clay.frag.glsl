@@ -1,4 +1,4 @@
-// Grey, lit from the eye and from the upper left, so that shapes are visible without the scene's lights.
+// Shades in grey, lit from the eye and from the upper left, so that shapes are visible without the scene's lights.
 #include <common>
 #include <logdepthbuf_pars_fragment>
 varying vec3 vNormalVS;

@@ -1,4 +1,4 @@
-// Position and normal in view space, with bones, morph targets and instances.
+// Computes position and normal in view space, with bones, morph targets and instances.
 #include <common>
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>

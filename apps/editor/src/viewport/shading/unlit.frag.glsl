@@ -1,4 +1,4 @@
-// Base colour and emission of a surface, unlit.
+// Shows the base colour and emission of a surface, unlit.
 #include <common>
 #include <color_pars_fragment>
 #include <logdepthbuf_pars_fragment>
@@ -15,7 +15,7 @@ void main() {
   vec4 diffuseColor = vec4(colour, opacity);
   if (hasMap) diffuseColor *= texture2D(map, vMapUv);
   #include <color_fragment>
-  // nearly transparent pixels are dropped
+  // nearly transparent pixels are discarded
   if (diffuseColor.a < max(alphaTest, 0.1)) discard;
   gl_FragColor = vec4(diffuseColor.rgb + emitted, 1.0);
   #include <colorspace_fragment>

@@ -1,4 +1,4 @@
-// Position and texture coordinates, with bones, morph targets and instances.
+// Computes position and texture coordinates, with bones, morph targets and instances.
 #include <common>
 #include <color_pars_vertex>
 #include <morphtarget_pars_vertex>

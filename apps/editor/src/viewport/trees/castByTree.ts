@@ -33,7 +33,7 @@ function castInstances(mesh: InstancedMesh, raycaster: Raycaster, hits: Intersec
   return true;
 }
 
-/** Raycasts a large mesh by its bounding volume hierarchy. Leaves a mesh without one to three. */
+/** Raycasts a large mesh by its bounding volume hierarchy; a mesh without a hierarchy is left to three's raycast. */
 export const castByTree: MeshCaster = (mesh, raycaster, hits) => {
   const { geometry } = mesh;
   const { index, attributes } = geometry;

@@ -6,7 +6,7 @@ export interface TreeSource {
   readonly positions: TypedArray;
   readonly itemSize: number;
   readonly normalized: boolean;
-  /** Layout of interleaved positions, in elements; null for others. */
+  /** Layout of interleaved positions, in elements; null when positions are not interleaved. */
   readonly interleaved: { readonly stride: number; readonly offset: number } | null;
   readonly index: Uint16Array | Uint32Array | null;
   readonly groups: BufferGeometry['groups'];

@@ -47,7 +47,7 @@ function startWorker(): Worker {
   return started;
 }
 
-/** Builds in a worker, or in this thread when there are no workers, as in tests. */
+/** Builds a hierarchy in a worker, or in this thread when there are no workers, as in tests. */
 async function grow(source: TreeSource): Promise<SerializedBVH> {
   if (typeof Worker === 'undefined') return (await import('./growTree')).growTree(source);
   worker ??= startWorker();
@@ -62,7 +62,7 @@ async function grow(source: TreeSource): Promise<SerializedBVH> {
 
 /**
  * Builds a bounding volume hierarchy for a geometry, in a worker; the geometry is unchanged. @throws Error (as a
- * rejection)
+ * rejection) when building fails
  */
 export async function loadTree(geometry: BufferGeometry): Promise<MeshBVH> {
   const tree = await grow(sourceOf(geometry));

@@ -2,7 +2,7 @@ import { attributeState } from '@farol/renderer/vertex-data';
 import type { BufferGeometry } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 
-/** Number of triangles above which meshes get a tree. */
+/** Number of triangles above which a geometry gets a bounding volume hierarchy ("tree"). */
 export const LARGE = 50_000;
 
 /** A tree, and the state of the geometry that it was built for. */
@@ -33,7 +33,7 @@ function begin(geometry: BufferGeometry): Grown {
           // otherwise the geometry was edited meanwhile: the next ray starts building again
           if (trees.get(geometry) === grown && isCurrent(grown, geometry)) grown.tree = tree;
         },
-        // not fatal: without a tree, every triangle is tested
+        // a failed build is not fatal: without a tree, a ray is tested against every triangle
         (error: Error) => console.debug(`Farol: ${error.message}`),
       ),
   };

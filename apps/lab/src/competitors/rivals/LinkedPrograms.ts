@@ -1,6 +1,6 @@
 import { firstLine } from '../createWebGL';
 
-/** Checks the programs that a context links: objects of one that does not compile would be missing silently. */
+/** Checks the programs that a context links: if a program does not compile, its objects would be missing silently. */
 export class LinkedPrograms {
   private readonly unchecked: WebGLProgram[] = [];
 

@@ -35,7 +35,7 @@ export interface RivalCamera {
   readonly placement: RivalPlacement;
 }
 
-/** World placement of an object: [10], position x y z, rotation as a unit quaternion x y z w, scale x y z. */
+/** World placement of an object in 10 numbers: position x y z, rotation as a unit quaternion x y z w, scale x y z. */
 export type RivalPlacement = Float32Array;
 
 /** Irradiance from `ground` to `sky` along `up`. */

@@ -73,7 +73,7 @@ export class SceneFollower {
         versions[i] = version;
         drawing.moveInstances(i);
       }
-      // set by the code that moves a mesh, and reset only by three's renderers
+      // this flag is set by the code that moves a mesh, and reset only by three's renderers
       if (!mesh.matrixWorldNeedsUpdate) continue;
       mesh.updateWorldMatrix(true, false);
       mesh.matrixWorldNeedsUpdate = false;

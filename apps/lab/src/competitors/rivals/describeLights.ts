@@ -78,7 +78,7 @@ export function describeStillLights(lights: readonly Light[]): StillLights {
 
 /**
  * Converts point lights at their current places.
- * @throws Error for one without range, with a decay other than 2, or with shadows
+ * @throws Error for a light without range, with a decay other than 2, or with shadows
  */
 export function describePoints(lights: readonly Light[]): RivalPoints {
   const count = lights.length;

@@ -17,7 +17,7 @@ export function ValuesField({ label, values, hint, onChange }: ValuesFieldProps)
   const problem = 'problem' in parsed ? parsed.problem : null;
   const key = values.join();
   useEffect(() => {
-    // follows a change of the preset or the address
+    // the text follows a change of the preset or the address
     setText((current) => (sameValues(current, key) ? current : key.replaceAll(',', ', ')));
   }, [key]);
   const read = (next: string): void => {

@@ -19,7 +19,7 @@ export function useConfiguration(): ConfigurationState {
     return () => removeEventListener('hashchange', read);
   }, []);
   const setConfiguration = useCallback((configuration: Configuration) => {
-    // replaced, so that keystrokes do not add entries to the browser's history
+    // the address is replaced, so that keystrokes do not add entries to the browser's history
     history.replaceState(null, '', linkOf(configuration));
     setState({ configuration, problems: [] });
   }, []);

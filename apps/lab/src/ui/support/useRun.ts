@@ -59,7 +59,7 @@ export function useRun(): RunState {
   const isRunning = running !== null;
   useEffect(() => {
     if (!isRunning) return;
-    // asks the user, since closing the tab would lose the rows
+    // makes the browser ask the user, since closing the tab would lose the rows
     const ask = (event: BeforeUnloadEvent): void => event.preventDefault();
     addEventListener('beforeunload', ask);
     return () => removeEventListener('beforeunload', ask);

@@ -50,7 +50,7 @@ export function useStage(): StageState {
       const reasons = await Promise.all(names.map((name) => stage.unavailable(name).catch(messageOf)));
       if (!isOver) setUnavailable(Object.fromEntries(names.map((name, index) => [name, reasons[index]])));
     };
-    // delayed until the charts are drawn
+    // the device is queried after the charts were drawn
     const timer = setTimeout(() => void query().catch((error) => isOver || setProblem(messageOf(error))), 50);
     return () => {
       isOver = true;

@@ -6,7 +6,7 @@ const bulb = new SphereGeometry(0.05, 12, 8);
 export const lamps = new Group();
 for (let i = 0; i < 200; i++) {
   const colour = new Color().setHSL((i * 0.37) % 1, 0.8, 0.6);
-  // intensity in candela, range in metres: lights of short range are fast
+  // intensity in candela, range in metres: lights of short range are cheap to draw
   const lamp = new PointLight(colour, 2, 3);
   lamp.add(new Mesh(bulb, new MeshBasicMaterial({ color: colour })));
   lamps.add(lamp);

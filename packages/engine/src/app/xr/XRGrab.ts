@@ -25,7 +25,7 @@ export class XRGrab {
 
   constructor(private readonly hand: XRHand) {}
 
-  /** Grabs, carries or releases an object. @param others - all hands; an object held by another hand changes over */
+  /** Grabs, carries or releases an object. @param others - all hands; this one may take an object from another hand */
   update(scene: Scene, seconds: number, others: readonly XRGrab[]): void {
     const { isHolding } = this.hand;
     if (isHolding && !this.did) this.grab(scene, others);

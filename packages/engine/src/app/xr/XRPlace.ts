@@ -35,7 +35,7 @@ export class XRPlace {
     space.position.set(0, 0, 0);
     space.rotation.set(0, 0, 0);
     if (!object) {
-      // upright, with the camera's heading
+      // turns the floor to the camera's heading, and keeps it level whatever the camera's pitch
       const front = start.getWorldDirection(new Vector3());
       start.getWorldPosition(space.position).y -= EYES;
       space.rotation.y = Math.atan2(-front.x, -front.z);
@@ -50,7 +50,7 @@ export class XRPlace {
     this.walk.update(hands, this.rig ?? DEFAULTS, seconds, this.character);
   }
 
-  /** Takes the user out of the scene. */
+  /** Stops a walk, and removes the floor and the hands from the scene. */
   leave(): void {
     this.character?.walk([0, 0, 0]);
     this.walk.dispose();

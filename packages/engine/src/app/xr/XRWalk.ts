@@ -14,10 +14,10 @@ import {
 import type { CharacterController } from '../../components/CharacterController';
 import type { XRHand } from './XRHand';
 
-/** Stick deflections (0 to 1): above the first it turns or aims, below the second it is ready to do so again. */
+/** Deflections (0 to 1) above which a stick turns or aims, and below which it then teleports, or may turn again. */
 const PUSHED = 0.7;
 const RELEASED = 0.4;
-/** Farthest teleport (m), and smallest vertical part of a floor's unit normal. */
+/** Farthest teleport (m), and smallest y of the unit normal of a surface that can be teleported to. */
 const FARTHEST = 12;
 const LEVEL = 0.7;
 

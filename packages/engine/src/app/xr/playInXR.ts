@@ -5,7 +5,7 @@ import { XRGrab } from './XRGrab';
 import { XRHand } from './XRHand';
 import { XRPlace } from './XRPlace';
 
-/** Modes of a WebXR session: in a scene of its own, or laid over the room. */
+/** Modes of a WebXR session: the scene alone is seen (VR), or it is drawn over the real room (AR). */
 export type XRMode = 'immersive-vr' | 'immersive-ar';
 
 /** Scene of an XR session, and the control of the page's own frames. */
@@ -36,7 +36,7 @@ export async function xrModes(): Promise<XRMode[]> {
 
 /**
  * Shows a scene in a headset until the session ends. The floor is the scene's XRRig, or else lies below the camera; the
- * hands walk, turn, teleport and hold Grabbables. Call it from a click.
+ * hands walk, turn, teleport and hold Grabbables. Call it in the handler of a click.
  * @returns the session, once it presents
  * @throws Error (as a rejection) where the user or the device refuses
  */

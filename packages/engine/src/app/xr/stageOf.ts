@@ -2,7 +2,7 @@ import { PerspectiveCamera } from 'three';
 import type { App } from '../App';
 import type { XRStage } from './playInXR';
 
-/** Stage of an App: the scene that it has, advanced as far as the App was running and playing. */
+/** Stage of an App: its scene, which goes on advancing if the App was running and playing. */
 export function stageOf(app: App): XRStage {
   const { picture, running } = app;
   return {

@@ -23,7 +23,7 @@ export interface LightmappedMesh {
   readonly uv1: Float32Array<ArrayBuffer>;
   /** Vertex indices into `uv1`, three per triangle. */
   readonly index: Uint32Array<ArrayBuffer>;
-  /** Source vertex in the geometry, one per vertex of `uv1`. */
+  /** For each vertex of `uv1`, the index of the geometry's vertex that it is a copy of. */
   readonly sourceVertex: Uint32Array<ArrayBuffer>;
 }
 

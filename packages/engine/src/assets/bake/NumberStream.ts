@@ -47,7 +47,7 @@ export class NumberReader {
     return rest % 2 === 1 ? -(rest + 1) / 2 : rest / 2;
   }
 
-  /** @throws TypeError at the end */
+  /** @throws TypeError at the end of the bytes */
   readSteps(count: number, stride = 1): Float64Array {
     const values = new Float64Array(count);
     for (let i = 0; i < count; i++) values[i] = this.read() + (i < stride ? 0 : values[i - stride]);

@@ -13,7 +13,7 @@ export async function deflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Arra
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** @param length - expected size (bytes) @throws TypeError (as a rejection) when others do */
+/** @param length - expected size (bytes) @throws TypeError (as a rejection) for damaged bytes, and for another size */
 export const inflate = (bytes: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array<ArrayBuffer>> =>
   unpack(bytes, 'deflate-raw', { exact: length }).catch((cause: unknown) => {
     // browsers throw errors of different classes for damaged bytes

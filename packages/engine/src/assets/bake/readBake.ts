@@ -72,7 +72,7 @@ function readHead(parts: Parts): BakeHead {
 }
 
 function readMeshes(head: BakeHead, bytes: Uint8Array): LightmappedMesh[] {
-  // each coded number is at least one byte of the file
+  // refuses false counts before arrays of that size are made: each coded number takes at least one byte
   const numbers = head.meshes.reduce((sum, { vertices, triangles }) => sum + 3 * vertices + 3 * triangles, 0);
   if (numbers > bytes.length) damaged();
   const reader = new NumberReader(bytes);
@@ -108,7 +108,7 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const head = readHead(parts);
     const packed = head.lightmaps.map((lightmap) => parts.readBytes(lightmap.bytes));
     const lightmaps: LightmapData[] = [];
-    // sequentially: unpacking needs several times a lightmap's size
+    // one lightmap after the other, since unpacking one takes several times its size
     for (const [i, { width, height }] of head.lightmaps.entries()) {
       lightmaps.push(await unpackLightmap(packed[i], width, height));
     }

@@ -42,7 +42,7 @@ export class ClipAsset extends DataAsset {
     return this.parsed;
   }
 
-  /** Sets tracks and events; an edit. Numbers are rounded as `clipText` does. */
+  /** Sets tracks and events, which counts as an edit. Numbers are rounded as `clipText` does. */
   setData(clip: ClipData): void {
     this.set('data', clipText(clip));
   }

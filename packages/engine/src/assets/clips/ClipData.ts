@@ -8,7 +8,7 @@ export interface ClipKey {
   /** Time from the beginning of the clip (s), 0 or more. */
   readonly time: number;
   readonly value: FieldValue;
-  /** Interpolation to the next key; 'linear' when absent. Flags, choices and texts always step. */
+  /** Interpolation to the next key; 'linear' when absent. Flags, choices and texts always change at the next key. */
   readonly easing?: Easing;
   /**
    * With 'bezier': the two inner control points of the curve to the next key, as fractions of the interval in time (0
@@ -34,7 +34,7 @@ export interface ClipEvent {
   readonly time: number;
   /** Method called on components of the animated object and of its descendants: see `GameObject.callMethod`. */
   readonly method: string;
-  /** Argument of the method that the key calls; none when absent. */
+  /** Argument of the method; when absent, the method is called without argument. */
   readonly value?: FieldValue;
 }
 

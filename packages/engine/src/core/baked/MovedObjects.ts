@@ -23,7 +23,7 @@ export class MovedObjects {
     this.stop = scene.onMatricesUpdated(() => this.update());
   }
 
-  /** Takes the current matrices as unmoved, after an edit has added, removed or moved lightmapped meshes. */
+  /** Records the matrices anew, as unmoved, after an edit has added, removed or moved lightmapped meshes. */
   changed(): void {
     this.places = null;
   }

@@ -48,7 +48,7 @@ export class ShownBake {
   private readonly lights: ReadonlySet<string>;
   private readonly grid: ProbeGrid | null;
   private readonly dressed = new Map<Mesh, Dressed>();
-  /** Materials with a lightmap, by their source material, then by lightmap. */
+  /** Materials with a lightmap, by their source material, then by the lightmap's index. */
   private readonly materials = new Map<Material, (Material | undefined)[]>();
   private readonly moved: MovedObjects;
 

@@ -8,6 +8,6 @@ export const bakeCode = new LateCode(
 
 /**
  * Fetches the code that displays baked light, which most scenes do not need.
- * @throws Error (as a rejection) when it cannot be fetched; try again
+ * @throws Error (as a rejection) when it cannot be fetched; the next call tries again
  */
 export const loadBakeCode = () => bakeCode.load();

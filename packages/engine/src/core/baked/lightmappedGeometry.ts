@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
 import type { LightmappedMesh } from '../../assets/bake/BakeData';
 
-/** Copies the elements `source` (vertex indices) of an attribute. */
+/** Copies the elements of an attribute that `source` lists by their vertex indices. */
 function gathered(attribute: BufferAttribute | InterleavedBufferAttribute, source: Uint32Array): BufferAttribute {
   const { itemSize, normalized } = attribute;
   const from = attribute.array;

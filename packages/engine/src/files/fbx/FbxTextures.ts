@@ -32,7 +32,7 @@ export class FbxTextures {
     this.manager.addHandler(/./, loader as never);
   }
 
-  /** Extracts the images that are embedded in the FBX. @returns all files, the dropped ones included */
+  /** Extracts the images that are embedded in the FBX. @returns `files` and the extracted images */
   async unpack(files: FileMap): Promise<FileMap> {
     const all = new Map(files);
     for (const address of this.addresses.values()) {
@@ -50,7 +50,7 @@ export class FbxTextures {
     return all;
   }
 
-  /** Describes a material's texture as a map of an MTL file: equal image, equal placement. */
+  /** Describes a material's texture as a map of an MTL file with the same image and placement. */
   mapOf(texture: Texture | null | undefined, bump = 1): MtlMap | undefined {
     const address = texture ? this.addresses.get(texture) : undefined;
     const path = address === undefined ? undefined : this.paths.get(address);

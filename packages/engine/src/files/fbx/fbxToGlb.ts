@@ -99,7 +99,7 @@ function prepareGeometry(geometry: BufferGeometry): void {
   else geometry.computeVertexNormals();
 }
 
-/** Replaces FBX materials by plain ones that store the index in `userData`. @returns the FBX materials in that order */
+/** Replaces FBX materials by plain ones, with an index in `userData`. @returns the FBX materials by that index */
 function replaceMaterials(root: Object3D): MeshPhongMaterial[] {
   const given: Material[] = [];
   const plain: MeshStandardMaterial[] = [];

@@ -28,7 +28,7 @@ export class LineReader {
     return this.at >= this.bytes.length;
   }
 
-  /** Skips blanks. Whether the line ends after them. */
+  /** Skips blanks. @returns whether the line ends after them */
   get isLineOver(): boolean {
     this.skipBlanks();
     const byte = this.bytes[this.at];

@@ -21,15 +21,15 @@ function endsOf(parts: readonly string[]): string[] {
   return last.map((_, i) => last.slice(i).join('/'));
 }
 
-/** Finds the files that OBJ and MTL files name among dropped files, even if letter case, slashes or folders differ. */
+/** Finds, among given files, those that OBJ and MTL files name, even if letter case, slashes or folders differ. */
 export class ObjFolder {
   private readonly entries: readonly { readonly path: string; readonly parts: readonly string[] }[];
-  /** First file of each full path. */
+  /** First path of `files` for each full path as `partsOf` writes it, without differences of case and slashes. */
   private readonly wholes = new Map<string, string>();
   private readonly ends = new Map<string, string>();
 
   constructor(files: FileMap) {
-    // a path such as 'a/..' names no file
+    // without paths that name no file, such as 'a/..'
     this.entries = [...files.keys()]
       .map((path) => ({ path, parts: partsOf(path) }))
       .filter(({ parts }) => parts.length > 0);

@@ -83,7 +83,7 @@ export class ObjTextures {
       if (mimeType && (await canDecode(bytes))) return this.addImage(bytes, mimeType, path);
       if (mimeType) this.damaged.add(path);
       const picture = mimeType ? null : await this.decode(path);
-      // the alpha channel counts as opacity only where map_d names the picture
+      // made opaque, since the alpha channel counts as opacity only where map_d names the picture
       if (picture) for (let at = 3; at < picture.data.length; at += 4) picture.data[at] = 255;
       return picture && this.addPicture(picture, path);
     });

@@ -17,7 +17,7 @@ export function cutPolygon(points: readonly number[], most: number): CutPolygon 
   const count = points.length / 3;
   const fan = Array.from({ length: count - 2 }, (_, i) => [0, i + 1, i + 2]).flat();
   const normal = newellNormal(points);
-  // the two axes onto which the polygon projects with its front towards the viewer
+  // `u` and `v` are the axes of a plane on which the polygon is flattened, its front towards the viewer
   const sizes = normal.map(Math.abs);
   const axis = sizes.indexOf(Math.max(...sizes));
   const [u, v] = normal[axis] >= 0 ? [(axis + 1) % 3, (axis + 2) % 3] : [(axis + 2) % 3, (axis + 1) % 3];

@@ -10,12 +10,12 @@ export function gltfMime(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
   return bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff ? 'image/jpeg' : null;
 }
 
-/** @throws Error when the bytes are no TGA */
+/** Decodes a TGA. @throws Error when the bytes are no TGA */
 export function decodeTga(bytes: Uint8Array<ArrayBuffer>): Picture {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [width, height] = bytes.length < 18 ? [0, 0] : [view.getUint16(12, true), view.getUint16(14, true)];
   checkPixels(width, height);
-  // types 1 to 3 are uncompressed: the loader reads missing bytes as black
+  // types 1 to 3 are uncompressed: their size is checked, since the loader reads missing bytes as black
   const isPacked = bytes[2] > 3;
   if (bytes.length < 18 || (!isPacked && bytes.length < 18 + (width * height * bytes[16]) / 8))
     throw new Error('it is cut short');

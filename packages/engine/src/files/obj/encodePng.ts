@@ -35,7 +35,7 @@ export async function encodePng({ width, height, data }: Picture): Promise<Uint8
   const view = new DataView(head.buffer);
   view.setUint32(0, width);
   view.setUint32(4, height);
-  // 8 bits per channel; red, green, blue and alpha
+  // 8 bits per channel; colour type 6, which is red, green, blue and alpha
   head.set([8, 6], 8);
   const parts = [
     new Uint8Array(SIGNATURE),

@@ -5,7 +5,7 @@ import type { ObjFile } from './parseObj';
 
 /**
  * A triangle geometry in the form of an OBJ file: one group without a material. Vertices of a non-indexed geometry are
- * merged by position, since such formats cannot share vertices.
+ * merged by position, since files without an index repeat shared vertices.
  * @param hasNormals - whether to keep its normals; otherwise normals are computed by crease angle
  */
 export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): Steps<ObjFile> {
@@ -22,7 +22,7 @@ export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): 
   yield* inSteps(whole, (from, to) => {
     for (let corner = from; corner < to; corner++) {
       const vertex = index ? index.getX(corner) : corner;
-      // vertices at one position may differ in colour, so they are not merged
+      // vertices at one position are merged, unless the geometry has colours, in which they may differ
       const place = places && !colour ? places[vertex] : vertex;
       corners[corner * 3] = place;
       corners[corner * 3 + 1] = uv ? vertex : -1;

@@ -98,7 +98,7 @@ async function colourOf(material: MtlMaterial, from: string, textures: ObjTextur
   }
   const image = colourPath === null ? null : await textures.plain(colourPath);
   if (image === null || !diffuseMap) {
-    // the texture is missing, so its black factor is no colour
+    // a black factor of a texture that is missing is no colour: grey in its place
     return { factor: diffuseMap && isBlack ? grey : linear(diffuse), alphaMode };
   }
   const factor = isBlack || !material.diffuse ? white : linear(diffuse);
@@ -117,7 +117,7 @@ async function roughnessAndMetalness(material: MtlMaterial, from: string, textur
     return picture && roughnessOfSpecular(picture, roughness);
   });
   if (image === null) return factors;
-  // the blue channel of the texture would set metalness
+  // without metalness, which the blue channel of the texture would set
   return { metallicFactor: 0, roughnessFactor: 1, metallicRoughnessTexture: textures.texture(image, specularMap) };
 }
 

@@ -100,7 +100,7 @@ function* trianglesWithoutNormals(corners: Int32Array): Steps<Uint32Array> {
   return found.subarray(0, count);
 }
 
-/** Groups runs by mesh, then by material, in the order of the file. */
+/** Sorts runs of corners by mesh, then by material, in the order of the file. */
 function sortRuns(runs: readonly ObjRun[]): { name: string; materials: Map<string | null, ObjRun[]> }[] {
   const isJoined = new Set(runs.map(({ key }) => key)).size > MOST_GROUPS;
   const meshes = new Map<string, { name: string; materials: Map<string | null, ObjRun[]> }>();

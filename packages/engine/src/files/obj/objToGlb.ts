@@ -120,7 +120,7 @@ function fromTheTop(uvs: Float32Array): Float32Array {
   return uvs;
 }
 
-/** The materials of the MTL files that an OBJ names; if it names none, of the OBJ's namesake or the only MTL. */
+/** The materials of the MTL files that an OBJ names; if none, of the MTL with the OBJ's name, else of the only MTL. */
 async function readMaterials(
   files: FileMap,
   folder: ObjFolder,
@@ -132,7 +132,7 @@ async function readMaterials(
   const paths = new Set<string>();
   const missing: string[] = [];
   for (const reference of references) {
-    // a name may have blanks, and a line may have several names
+    // the line is first one name, which may have blanks; if there is no such file, each word is a name
     const whole = folder.find(path, reference);
     const found = whole === null ? reference.split(/\s+/).map((each) => [each, folder.find(path, each)] as const) : [];
     if (whole !== null) paths.add(whole);

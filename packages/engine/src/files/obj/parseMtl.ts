@@ -114,7 +114,7 @@ export function parseMtlMap(text: string): MtlMap | undefined {
   const options = new Map<string, string[]>();
   const from = readOptions(words, 0, options);
   const to = trailingOptions(words, from + 1, options);
-  // blanks within the path are kept
+  // cuts the options off the text, which keeps blanks within the path
   let path = text.trim();
   for (let i = 0; i < from; i++) path = path.replace(/^\S+\s*/, '');
   for (const word of words.slice(to).toReversed()) path = path.slice(0, -word.length).trimEnd();

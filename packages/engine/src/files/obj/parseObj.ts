@@ -40,10 +40,10 @@ export interface ObjFile {
   readonly coarse: number;
 }
 
-/** Lines from one step to the next: about a millisecond of work. */
+/** Lines that are read before the generator yields: about a millisecond of work. */
 const STEP = 4096;
 
-/** Greatest number of corners of a concave face cut by ears, which takes quadratic time. */
+/** Greatest number of corners of a concave face cut by ear clipping, which takes quadratic time. */
 const MOST_CORNERS = 4096;
 
 const triangle = [0, 1, 2];
@@ -86,7 +86,7 @@ class ObjParser {
   private object = '';
   /** Key of the current object and group. */
   private key = '0 0';
-  /** Work of the current step, in lines; cutting a polygon counts as several. */
+  /** Work since the generator last yielded, in lines; cutting a polygon counts as several lines. */
   private work = 0;
   private hasColours = false;
   /** Highest vertex index referred to, and its line. */
@@ -295,7 +295,7 @@ class ObjParser {
   }
 }
 
-/** Removes indices of missing elements from the corners. */
+/** Replaces indices of elements that the file does not have by -1, in the corners. */
 function dropMissing(corners: NumberList<Int32Array>, offset: number, count: number): void {
   for (let i = offset; i < corners.length; i += 3) if (corners.at(i) >= count) corners.set(i, -1);
 }

@@ -12,7 +12,7 @@ const FACET = 50;
 
 const isText = (bytes: Uint8Array): boolean => /^\W{0,5}solid/i.test(String.fromCharCode(...bytes.subarray(0, 16)));
 
-/** Lines from one step to the next: about a millisecond of work. */
+/** Lines that are read before the generator yields: about a millisecond of work. */
 const STEP = 4096;
 
 /** @returns whether the file is text @throws Error of one sentence when a binary file is cut short */
@@ -28,11 +28,11 @@ function checkStl(bytes: Uint8Array): boolean {
   return false;
 }
 
-/** Parses the corners of a text STL. three's loader searches the whole rest of the file for each missing end. */
+/** Parses the corners of a text STL. three's loader would search the rest of the file for each missing `endfacet`. */
 function* parseText(bytes: Uint8Array): Steps<BufferGeometry> {
   const reader = new LineReader(bytes);
   const corners = floatList();
-  // the name of a solid may contain any words, also keywords
+  // only a `vertex` within a loop counts, since the name of a solid may contain any words
   let isInLoop = false;
   while (!reader.isAtEnd) {
     for (let i = 0; i < STEP && !reader.isAtEnd; i++) {

@@ -20,15 +20,15 @@ export const round =
 /** Number of chords by which the length of a curve is measured. */
 const PIECES = 400;
 
-/** Half the parameter step of the finite difference that gives directions. */
+/** Half the step of the curve parameter in the finite difference by which the curve's directions are computed. */
 const STEP = 1e-4;
 
-/** Value at t between b and c of four values at knots. @see Barry and Goldman 1988 @see Barry and Goldman 1988 */
+/** Value at t of a spline through four points, between the second and third of `knots`. @see Barry and Goldman 1988 */
 function between(points: readonly number[], knots: readonly number[], t: number): number {
   let level = points;
   for (let degree = 1; degree < 4; degree++) {
     level = level.slice(1).map((next, i) => {
-      // the two lower levels only depend on the knots of b and c
+      // the last level interpolates from the second to the third knot
       const [from, to] = degree === 3 ? [knots[1], knots[2]] : [knots[i], knots[i + degree]];
       return (level[i] * (to - t) + next * (t - from)) / (to - from);
     });
@@ -38,7 +38,7 @@ function between(points: readonly number[], knots: readonly number[], t: number)
 
 /** A curve through points, for shapes swept along it. The curve must nowhere run straight along z. */
 export class Sweep {
-  /** Lengths (m) up to the ends of the pieces. */
+  /** Length (m) of the curve from its beginning to the end of each of the `PIECES` chords. */
   private readonly lengths: number[] = [0];
   private readonly points: readonly Vector3Tuple[];
   private readonly point = new Vector3();

@@ -5,7 +5,7 @@ import { fitGeometry } from '../fitGeometry';
 import { MeshBuilder } from '../MeshBuilder';
 import { round, type Section, Sweep } from './Sweep';
 
-/** Cross sections of the body, from the nape to the tip of the tail (m, before the mesh is fitted). */
+/** Centre line of the body, from the nape to the tip of the tail (m, before the mesh is scaled to its final size). */
 const body = new Sweep([
   [-0.39, 0.54, 0],
   [-0.32, 0.575, 0.01],
@@ -24,7 +24,7 @@ const body = new Sweep([
   [0.345, 0.265, -0.03],
 ]);
 
-/** Scales round the body and along it, and vertices of each. */
+/** Number of scales round the body and along it, and of the mesh's cells across a scale and along it. */
 const SCALES = { round: 16, along: 96, across: 4, rows: 2 };
 
 const smooth = (from: number, to: number, x: number): number => {
@@ -49,7 +49,7 @@ const hide: Section = (u, v) => {
   return [radius * Math.cos(angle), radius * (1.12 - 0.1 * isBelly) * Math.sin(angle)];
 };
 
-/** A tapering tube with a round end: horns, whiskers, claws, toes. */
+/** Adds a tapering tube with a round end: a horn, whisker, claw or toe. */
 function horn(mesh: MeshBuilder, points: readonly Vector3Tuple[], radius: number, columns = 8, rows = 10): void {
   const section = round((v) => radius * (1 - v) ** 0.8 + 1e-4);
   mesh.surface(columns, rows, new Sweep(points).surface(section));
@@ -92,7 +92,7 @@ function addSpines(mesh: MeshBuilder, random: () => number): void {
   }
 }
 
-/** Skull and upper jaw, lower jaw, eyes, horns, a beard, teeth and whiskers. */
+/** Adds the head: skull and upper jaw, lower jaw, eyes, horns, a beard, teeth and whiskers. */
 function addHead(mesh: MeshBuilder): void {
   const skull = new Sweep([
     [-0.36, 0.555, 0.004],
@@ -205,7 +205,7 @@ function addHead(mesh: MeshBuilder): void {
   }
 }
 
-/** A leg: thigh, shin and four toes with claws. @param hip - joint at the body @param foot - its heel */
+/** Adds a leg: thigh, shin and four toes with claws. @param hip - joint at the body @param foot - its heel */
 function addLeg(mesh: MeshBuilder, hip: Vector3Tuple, knee: Vector3Tuple, foot: Vector3Tuple): void {
   const leg = new Sweep([hip, knee, [foot[0] + 0.012, foot[1] + 0.055, foot[2]], foot]);
   const muscle = round((v) => 0.022 + 0.04 * Math.exp(-(((v - 0.16) / 0.24) ** 2)) + 0.004 * smooth(0.8, 1, v));

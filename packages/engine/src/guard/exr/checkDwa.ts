@@ -1,7 +1,7 @@
 import { inflateBlock } from './inflateBlock';
 import { runLengthSize } from './runLengthSize';
 
-/** Count of 8-byte numbers at the beginning of a block. */
+/** Count of the 8-byte numbers with which a block begins. */
 const NUMBERS = 11;
 const DEFLATE = 1;
 
@@ -56,7 +56,7 @@ export async function checkDwa(bytes: Uint8Array<ArrayBuffer>, size: number): Pr
     if (length > bytes.length - at) damaged();
     return bytes.subarray(at, (at += length));
   };
-  // three's EXRLoader reads as many bytes as there are coefficients
+  // of deflated AC coefficients, three's EXRLoader reads as many bytes as there are coefficients, not `ac` bytes
   if (ac > 0) {
     const packed = take(acKind === DEFLATE ? acCount : ac);
     if (acKind !== DEFLATE && endOfCodes(bytes, at - ac) !== at) damaged();

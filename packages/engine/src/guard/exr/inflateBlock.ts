@@ -2,7 +2,7 @@ import { unpack } from '../unpack';
 
 /**
  * Unpacks a block, or a part of one.
- * @param size - unpacked size (bytes), exact or at most
+ * @param size - unpacked size (bytes): `exact`, or `most` for an upper limit
  * @throws Error (as a rejection) when the block is damaged or of another size
  */
 export async function inflateBlock(

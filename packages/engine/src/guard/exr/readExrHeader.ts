@@ -170,7 +170,7 @@ export function readExrHeader(bytes: ArrayBuffer): ExrHeader {
 type Size = { readonly width: number; readonly height: number };
 
 /**
- * Tile counts: the picture's, all its levels'.
+ * Number of tiles of the full-size picture (`blocks`), and of all its levels together (`table`).
  * @param mode - levels in its lower four bits, rounding in its upper ones
  */
 function tileCounts({ width, height }: Size, tile: Size, mode: number): { blocks: number; table: number } {

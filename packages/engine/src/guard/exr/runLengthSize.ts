@@ -1,4 +1,4 @@
-/** Unpacked size (bytes) of EXR run lengths: a negative count precedes literal bytes, another a repeated byte. */
+/** Unpacked size (bytes) of EXR run lengths: a negative count precedes literal bytes, any other a repeated byte. */
 export function runLengthSize(bytes: Uint8Array): number {
   let size = 0;
   for (let at = 0; at < bytes.length;) {

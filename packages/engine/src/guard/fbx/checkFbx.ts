@@ -25,7 +25,7 @@ const sizes: Readonly<Record<string, number>> = { b: 1, c: 1, d: 8, f: 4, i: 4, 
 /** Bytes of a single value, by type letter. */
 const singles: Readonly<Record<string, number>> = { C: 1, D: 8, F: 4, I: 4, L: 8, Y: 2 };
 
-/** Names of properties of Object.prototype: the loader would write to the prototype. */
+/** Names of properties of Object.prototype, refused since the loader would write to the prototype. */
 const shared = new Set(Object.getOwnPropertyNames(Object.prototype));
 
 const fail = (problem: string): never => {

@@ -3,7 +3,7 @@ import { checkGltfNodes } from './checkGltfNodes';
 import { GltfLists } from './GltfLists';
 import type { GltfJson } from './readGltfJson';
 
-/** Limit on unpacked, shared or zero data: `FREE` bytes, or `RATIO` times the stored data if that is more. */
+/** Limit on data stored compressed, shared or not at all (zeros): the larger of `FREE` bytes and `RATIO` × the file. */
 const FREE = 64 * 2 ** 20;
 const RATIO = 100;
 
@@ -129,7 +129,7 @@ function checkAccessors(lists: GltfLists): void {
     fits(indices, changed, COMPONENTS[indices.componentType as number] ?? 4);
     fits(lists.record(sparse.values), changed, size);
   });
-  // each accessor becomes a buffer on the GPU, and sparse ones are copied
+  // their sum is limited, since each accessor becomes a buffer on the GPU, and sparse ones are copied
   const packed = lists.all('buffers').reduce((total, { byteLength }) => total + (byteLength as number), 0);
   if (sum > Math.max(FREE, packed * RATIO)) {
     lists.fail(`its accessors come to ${counted(sum)} bytes of buffers that have ${counted(packed)}`);

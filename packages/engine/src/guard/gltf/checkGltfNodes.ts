@@ -83,7 +83,7 @@ function treeOf(lists: GltfLists): { order: number[]; parents: Map<number, numbe
 }
 
 /**
- * Checks that nodes are a tree of limited depth, their positions, and the amount drawn.
+ * Checks the nodes: that they form a tree of limited depth, that no position is absurd, and that not too much is drawn.
  * @throws Error of one sentence
  */
 export function checkGltfNodes(lists: GltfLists): void {

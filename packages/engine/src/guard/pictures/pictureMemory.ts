@@ -30,7 +30,7 @@ export function pictureMemory(bytes: Uint8Array): number {
   const size = said === 'EXR' ? exrSize(bytes.slice().buffer) : imageSize(bytes);
   if (!size) return 0;
   checkPixels(size.width, size.height);
-  // four channels a pixel: half floats for EXR, else bytes
+  // four channels a pixel: half floats for EXR and HDR, else bytes
   return size.width * size.height * (said === 'EXR' || said === 'HDR' ? 8 : 4);
 }
 

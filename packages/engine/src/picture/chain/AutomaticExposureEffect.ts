@@ -26,7 +26,7 @@ void main() {
   vUv = position.xy * 0.5 + 0.5;
   gl_Position = vec4(position.xy, 1.0, 1.0);
 }`;
-/** Logarithm of the luminance of linear sRGB. */
+/** Shader that writes the base-2 logarithm of the picture's luminance (linear sRGB). */
 const measureCode = `uniform highp sampler2D picture; varying vec2 vUv;
 void main() {
   vec3 light = min(texture2D(picture, vUv).rgb, vec3(65504.0));
@@ -37,7 +37,7 @@ void main() {
   float now = textureLod(measured, vec2(0.5), ${LAST_LEVEL}.0).r;
   gl_FragColor = vec4(share < 1.0 ? mix(texture2D(before, vec2(0.5)).r, now, share) : now);
 }`;
-/** EV = log2(8 L), factor = 1 / (1.2 × 2^EV): see `photometry/exposure.ts`. */
+/** Shader that exposes by the luminance L: EV = log2(8 L), factor 1 / (1.2 × 2^EV), see `photometry/exposure.ts`. */
 const exposeCode = `uniform highp sampler2D adapted; uniform vec2 limits;
 void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor) {
   float value = clamp(texture2D(adapted, vec2(0.5)).r + 3.0, limits.x, limits.y);

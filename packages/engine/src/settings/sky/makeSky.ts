@@ -31,7 +31,7 @@ export interface SkyGradient {
   readonly ground: Vector3Tuple;
 }
 
-/** Widths (pixels) of the images of a preset or a night, whose discs and stars are small, and of a gradient. */
+/** Widths (pixels) of sky images: of a preset or a night, with small discs and stars, and of a gradient. */
 const PRESET_WIDTH = 1024;
 const GRADIENT_WIDTH = 256;
 /** Width (pixels) of a day's sky without stars, which is repainted while the sun moves: about 10 ms. */

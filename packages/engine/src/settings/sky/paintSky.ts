@@ -26,7 +26,7 @@ function lookAtClouds({ cover }: SkyClouds, sun: readonly number[] | null, x: nu
   const edge = 0.78 - 0.56 * cover;
   cloud.share = smooth(edge, edge + 0.2, density) * smooth(0.01, 0.2, y);
   if (cloud.share === 0) return;
-  // sampled towards the sun: where clouds are thinner there, this side is lit
+  // density a little nearer to the sun: where it is lower than here, the sun lights this side of the cloud
   const toSun = sun === null ? 0 : 0.22;
   const behind = cloudNoise(px + 40 + toSun * (sun?.[0] ?? 0), py + 40 + toSun * (sun?.[2] ?? 0), 4);
   cloud.lit = sun === null ? 1 - smooth(0.35, 0.7, density) : Math.min(1, Math.max(0, 0.55 + 3.2 * (density - behind)));
@@ -126,7 +126,7 @@ export function paintSky(look: SkyLook, width: number, height: number): Float32A
 /** Coverage of a direction by a box: 1 inside, 0 outside, smooth at the edges. */
 function boxShare(box: SkyBox, to: readonly number[], x: number, y: number, z: number): number {
   const { halfWidth, halfHeight, azimuth } = box;
-  // axes of the box: one horizontal, and one perpendicular to both others
+  // axes of the box: a horizontal one, and one perpendicular to it and to the box's direction
   const rightX = -Math.sin(azimuth);
   const rightZ = Math.cos(azimuth);
   const across = Math.abs(x * rightX + z * rightZ);

@@ -64,7 +64,7 @@ export class CanvasFarol {
     settings.invalidate();
   }
 
-  /** Removes a component's settings. The FarolRenderer is disposed with the last one, unless another is mounted at once. */
+  /** Removes a component's settings; after the last one's, disposes the renderer, unless a component mounts at once. */
   unmount(owner: object): void {
     const settings = this.mounted.get(owner);
     if (settings === undefined) return;
@@ -135,7 +135,7 @@ export class CanvasFarol {
     });
     const { compile, compileAsync } = webgl;
     const prepare = (scene: Object3D, camera: Camera, target: Object3D | null): boolean => {
-      // programs are compiled by drawing; in XR sessions their own frames do so
+      // Farol compiles programs by drawing; in an XR session only the session's frames do so
       const isOwn = (target === null || target === scene) && !webgl.xr.isPresenting;
       const settings = isOwn ? this.settingsFor(scene, camera) : null;
       if (settings !== null) this.apply(settings);

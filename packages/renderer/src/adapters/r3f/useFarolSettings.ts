@@ -36,7 +36,7 @@ export function useFarolSettings(props: FarolProps, scene: Object3D | null): voi
   const [owner] = useState(() => ({}));
   const asked: FarolSettings = { options, scene, invalidate };
   const [settings, setSettings] = useState(asked);
-  // makes React render again, before effects run
+  // makes React render again, before it runs the effects (React's) below
   if (!isSame(asked, settings)) setSettings(asked);
   const follow = useRef(() => {});
 
@@ -46,7 +46,7 @@ export function useFarolSettings(props: FarolProps, scene: Object3D | null): voi
     follow.current();
   }, [canvas, owner, enabled, settings]);
   useEffect(() => {
-    follow.current(); // React may have run the cleanup below without running the layout effect again
+    follow.current(); // again, since React may have run the cleanup below without the layout effect
     return () => canvas.unmount(owner);
   }, [canvas, owner]);
 

@@ -43,10 +43,10 @@ type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
  * ambient, hemisphere, environment and light map light by it; direct and emissive light do not change. Rougher environment
  * reflections are darkened more.
  *
- * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment for
- * indirect light (materials that the G-buffer cannot hold get none); with `light-prepass` the thin G-buffer; with `forward-plus`
- * its depth, from which normals are rebuilt. Other techniques have no depth before they shade: there, and with a G-buffer on
- * devices that draw to only four buffers at once, it is left out with a warning.
+ * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment
+ * for indirect light (materials that it cannot hold are not darkened); with `light-prepass` the thin G-buffer; with
+ * `forward-plus` its depth, from which normals are rebuilt. Other techniques have no depth before they shade: there,
+ * and with a G-buffer on devices that draw to only four buffers at once, it is left out with a warning.
  * @see Jimenez, Wu, Pesce and Jarabo 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion
  */
 export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
@@ -57,7 +57,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
   readonly lacks = lacksFloatTargets;
   /** Distance within which surfaces occlude (m), above 0. Default 0.5. */
   radius = 0.5;
-  /** Exponent of the open share of the sky: 0 is no occlusion, 1 as computed. Default 1. */
+  /** Exponent of the open share of the sky: 0 for no occlusion, 1 for the computed occlusion. Default 1. */
   strength = 1;
   /** Whether to compute occlusion at half the resolution, upsampled by a filter that keeps edges. Default false. */
   halfResolution = false;
@@ -137,7 +137,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
   }
 
   end(): void {
-    // no warning while code is loading: until then another technique draws
+    // does not warn while a technique's code is loading, since a stand-in technique draws these frames
     if (this.use !== 'none' || this.warned || Lazy.lacking!.size > 0) return;
     this.warned = true;
     console.warn(
@@ -224,7 +224,7 @@ export class AmbientOcclusion implements FarolEffect, OcclusionBuffer {
     return result;
   }
 
-  /** Open share of the sky in the frame drawn last; drawn by this call if only the G-buffer's light was darkened. */
+  /** Open share of the sky in the last frame; this call draws it if that frame only darkened light in the G-buffer. */
   openSky(frame: Frame): Texture {
     const { share, use } = this;
     return (use === 'accumulation' ? share.drawToOwn(frame, frame.width, frame.height) : share).texture as Texture;

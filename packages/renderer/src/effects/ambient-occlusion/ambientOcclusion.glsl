@@ -1,11 +1,11 @@
-// Horizon-based ambient occlusion: the share of the sky (weighted by the cosine) open above each pixel, and its view z.
+// Horizon-based ambient occlusion; red: open share of the sky, weighted by the cosine; green: the surface's view z.
 // Jimenez et al. 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion (GTAO)
 #include "occlusionSurface"
 #include "octahedralNormal"
 #ifdef FAROL_NORMALS
 uniform highp sampler2D farol_surfaceNormal; // normal of the surface: view space, octahedral
 #endif
-uniform highp vec4 farol_reach; // radius: x: m; y: pixels at 1 m distance; w: largest (pixels); z: pixels a texel
+uniform highp vec4 farol_reach; // x: radius (m); y: radius at 1 m (pixels); w: its maximum (pixels); z: pixels a texel
 layout(location = 0) out highp vec4 farol_open;
 
 const int FAROL_SLICES = 3;
@@ -21,7 +21,7 @@ bool farol_isInside(const in ivec2 pixel) {
   return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(farol_frameSize)));
 }
 
-// change of the view-space position (m) to the next pixel, from the neighbour nearer in depth
+// change of the view-space position (m) from a pixel to the next, on the side where depth changes less
 vec3 farol_change(const in ivec2 pixel, const in vec3 position, const in ivec2 to) {
   vec3 after = farol_positionAt(pixel + to) - position;
   vec3 before = position - farol_positionAt(pixel - to);
@@ -49,7 +49,7 @@ float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 
     vec3 there = farol_positionAt(pixel + offset) - position;
     float distanceSquared = dot(there, there);
     float cosine = dot(there, toEye) * inversesqrt(max(distanceSquared, 1e-12));
-    // weight falls to 0 at the radius
+    // a sample's weight falls to 0 at the radius
     float weight = clamp(2.0 - 2.0 * distanceSquared / (farol_reach.x * farol_reach.x), 0.0, 1.0);
     highest = max(highest, mix(lowest, cosine, weight));
   }
@@ -68,7 +68,7 @@ if (!farol_isEmpty(depth)) {
     vec3 toEye = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-position);
     vec3 normal = farol_normalAt(pixel, position);
     ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
-    // 16 turns and 4 shifts in each 4 × 4 texels, which the filter averages
+    // the samples of each 4 × 4 texels have 16 rotations and 4 offsets, which occlusionFilter.glsl averages
     float turn = float((((cell.x + cell.y) & 3) << 2) + cell.x) / 16.0;
     float shift = 0.25 + 0.25 * float((cell.y - cell.x) & 3);
     float open = 0.0;

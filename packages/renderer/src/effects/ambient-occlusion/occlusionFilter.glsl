@@ -2,7 +2,7 @@
 // Kopf et al. 2007, Joint Bilateral Upsampling; Jimenez et al. 2016 (GTAO), spatial filter
 #include "occlusionSurface"
 uniform highp sampler2D farol_openMap;
-uniform highp vec4 farol_reach; // radius: x: m; y: pixels at 1 m distance; w: largest (pixels); z: pixels a texel
+uniform highp vec4 farol_reach; // x: radius (m); y: radius at 1 m (pixels); w: its maximum (pixels); z: pixels a texel
 uniform highp float farol_strength; // strength of the occlusion: exponent of the share of the sky that is open
 #ifdef FAROL_ACCUMULATION
 uniform highp sampler2D farol_lit; // sum of emissive and indirect light
@@ -15,7 +15,7 @@ float depth = texelFetch(farol_surfaceDepth, pixel, 0).r;
 float open = 1.0;
 if (!farol_isEmpty(depth)) {
   float z = farol_surfaceZ(pixel);
-  // slope of the surface, from the neighbour nearer in depth
+  // change of view z to the next pixel in x and y: the smaller of the differences to the two sides
   vec2 zs0 = z - vec2(farol_surfaceZ(pixel - ivec2(1, 0)), farol_surfaceZ(pixel - ivec2(0, 1)));
   vec2 zs1 = vec2(farol_surfaceZ(pixel + ivec2(1, 0)), farol_surfaceZ(pixel + ivec2(0, 1))) - z;
   vec2 slope = vec2(abs(zs0.x) < abs(zs1.x) ? zs0.x : zs1.x, abs(zs0.y) < abs(zs1.y) ? zs0.y : zs1.y);

@@ -1,4 +1,4 @@
-// View z of the surface in a pixel: from depth, or a stored distance where depth is shifted, oblique or coarse.
+// View z of a pixel's surface, from depth, or from a stored distance where depth is offset, oblique or imprecise.
 // Farol
 #include "frameSize"
 #include "storedDistance"

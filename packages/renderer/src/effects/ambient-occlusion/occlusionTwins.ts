@@ -13,7 +13,7 @@ function warnOf({ name, type }: Material): void {
 const UNIFORMS = 'uniform highp sampler2D farol_occlusionMap;\nuniform highp vec2 farol_occlusionOffset;\n';
 
 /**
- * Twin kind of a forward draw, with indirect light darkened by ambient occlusion.
+ * Kind of twin (Farol's material for the host's) of a forward draw, its indirect light darkened by ambient occlusion.
  * @param uniforms - farol_occlusionMap, at full resolution, and farol_occlusionOffset (pixels)
  */
 export function occludedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {

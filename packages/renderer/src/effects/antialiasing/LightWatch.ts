@@ -1,10 +1,10 @@
 import type { DirectionalLight, Light, SpotLight } from 'three';
 import type { LightTable } from '../../lighting/LightTable';
 
-/** Maximum number of lights compared in a frame; of more lights, each frame compares others. */
+/** Maximum number of lights of a kind compared in a frame; of more lights, each frame compares the next part. */
 const LOOKS = 256;
 
-/** Detects changed or moved lights from the light objects, since the light table is in the view space of a camera that may move. */
+/** Detects lights that changed or moved, by their objects: records in the light table also change with the camera. */
 export class LightWatch {
   private readonly known = new WeakMap<Light, number>();
   private next = 0;

@@ -11,9 +11,9 @@ import type { ObjectMotions } from './ObjectMotions';
 const clip = new Matrix4();
 
 /**
- * Draws the motion of moving objects' visible pixels since the last frame (x, y: in widths and heights of the picture; z: former
- * minus present distance, m; alpha: 1 where drawn): objects, skins, morphs, instances and batches. Pixels that only the camera
- * moves are left out.
+ * Draws the motion of moving objects' visible pixels since the last frame (x, y: in widths and heights of the picture;
+ * z: former minus present distance, m; alpha: 1 where drawn), also of skins, morphs, instances and batches. Pixels that
+ * only the camera moves are left out.
  */
 export class MotionPass {
   /** Whether the pass has drawn in this frame. */
@@ -81,7 +81,7 @@ export class MotionPass {
       const { object } = item;
       if ((item.material as ReactiveMaterial).isReactive === true) continue;
       const motion = motions.of(object);
-      if (motion.frame === number) continue; // another material group of an object that was compared already
+      if (motion.frame === number) continue; // the object was already compared, for another of its material groups
       const isNew = motion.frame !== number - 1;
       const moved = !isNew && motion.hasMoved(object);
       if (!isNew && !moved) {

@@ -29,14 +29,14 @@ import { bindFramebuffer, isDepthReversed } from '../../three/state';
 const SAMPLES = 4;
 
 /**
- * Multisampled edges over any technique: the geometry is drawn again, with 4 samples a pixel. Samples of the surface that the
- * finished picture shows in the pixel take the picture's colour; other samples are shaded, as stock three does with
- * `antialias: true`. Only one picture is used, so that motion changes nothing and nothing ghosts.
+ * Multisampled edges over any technique: the geometry is drawn again, with 4 samples a pixel. Samples of the surface
+ * that the finished picture shows in the pixel take the picture's colour; other samples are shaded, as stock three does
+ * with `antialias: true`. No earlier frame is used, so moving objects have smooth edges too and leave no ghosts.
  *
- * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under transparent
- * objects that write no depth, the colour is that of a nearby pixel which shows the surface; surfaces that none shows are shaded
- * all the same, up to `mostLights`. Not smoothed: points, lines, sprites, materials with the host's own shader, stencil or depth
- * function, and transparent objects. Do not combine with `SMAA` or `TAA`, whose pictures have smooth edges already.
+ * Shading goes through all lights. With more of them than `shadedLights`, with ambient occlusion or decals, or under
+ * transparent objects that write no depth, the colour is that of a nearby pixel which shows the surface; surfaces that
+ * no nearby pixel shows are still shaded, up to `mostLights`. Not smoothed: points, lines, sprites, materials with the
+ * host's own shader, stencil or depth function, and transparent objects. `SMAA` and `TAA` must not be used with it.
  * @see Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing, https://doi.org/10.1145/1944745.1944748
  */
 export class MultisampledEdges implements FarolEffect {

@@ -21,11 +21,11 @@ const INSTANCES_PER_ROW = 512;
 export class ObjectMotion {
   /** Number of the frame in which the state was copied. */
   frame = -1;
-  /** Whether the object moved between the frame before and the copied state. */
+  /** Whether the object moved in the frame whose state is copied, compared with the frame before that one. */
   moves = false;
   /** World matrix; for a skinned mesh times the inverse of its bind matrix. */
   readonly matrix = new Float64Array(16);
-  /** Texture of a skinned mesh's bone matrices in the last frame; null for others. */
+  /** Texture of a skinned mesh's bone matrices in the last frame; null for other objects. */
   bones: DataTexture | null = null;
   /** Instance matrices of the copied state; null until the matrices first change. */
   instances: DataTexture | null = null;

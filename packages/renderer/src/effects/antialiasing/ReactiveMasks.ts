@@ -13,7 +13,7 @@ import type { ReactiveMask } from '../../frame/ReactiveMask';
 import type { RenderItem } from '../../frame/RenderItem';
 import { targetBytes } from '../../gpu/targetBytes';
 
-/** Reactive masks of this frame and of the last, for one camera and scene; frames without reactive draws have none. */
+/** Reactive masks (pixels whose history TAA ignores) of this frame and the last, for one camera and scene. */
 export class ReactiveMasks implements ReactiveMask<Frame> {
   private targets: [WebGLRenderTarget | null, WebGLRenderTarget | null] = [null, null];
   private picture: WebGLRenderTarget | null = null;

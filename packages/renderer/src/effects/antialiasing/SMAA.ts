@@ -13,11 +13,11 @@ const SIZE = ['farol_frameSize'];
 const LINEAR = { minFilter: LinearFilter, magFilter: LinearFilter } as const;
 
 /**
- * Enhanced subpixel morphological anti-aliasing of one picture (SMAA 1x): finds edges of luma, follows each to its ends (32
- * pixels to either side at most), and mixes the pixels along it by the area that a smooth edge would cover. Only one picture is
- * used, so nothing ghosts. Details thinner than a pixel still flicker, unlike with `TAA`. Without the diagonal patterns of the
- * paper's section 4.2. Corners, and the ends and crossings of thin lines, stay sharp. The areas of patterns are computed, so
- * there is no texture to load. Works with every technique.
+ * Enhanced subpixel morphological anti-aliasing of one picture (SMAA 1x): finds edges of luma, follows each to its ends
+ * (32 pixels to either side at most), and mixes the pixels along it by the area that a smooth edge would cover. Only
+ * one picture is used, so nothing ghosts. Details thinner than a pixel still flicker, unlike with `TAA`. The diagonal
+ * patterns of the paper's section 4.2 are left out. Corners, and the ends and crossings of thin lines, stay sharp. The
+ * areas of patterns are computed, so there is no texture to load. Works with every technique.
  * @see Jimenez, Echevarria, Sousa and Gutierrez 2012, SMAA: Enhanced Subpixel Morphological Antialiasing,
  *   https://www.iryoku.com/smaa/
  */

@@ -26,7 +26,7 @@ export class SmoothEdges extends SMAA {
   }
 
   render(frame: Frame): void {
-    // early items have written depth and stencil that the host's target lacks
+    // items drawn before the G-buffer's have written depth and stencil, which the host's target lacks
     if (this.isOn && frame.queue.early === 0 && this.shared!.isAlone) this.finish(frame, true);
   }
 

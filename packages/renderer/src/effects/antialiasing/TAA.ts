@@ -26,7 +26,7 @@ import { contextLists } from '../../three/contextLists';
 const SIZE = ['farol_frameSize'];
 /** Number of sample positions in a pixel that frames cycle through. */
 const SAMPLES = 32;
-/** Factor on the new frame's weight for still pixels while others move. */
+/** Factor on the new frame's weight for still pixels while other pixels move. */
 const STILL = 0.5;
 /** Number of frames after a change of lights or materials in which history is always clipped to neighbouring colours. */
 const RELIT = 8;
@@ -34,7 +34,7 @@ const RELIT = 8;
 const MET = 2;
 /** Number of frames without any change after which all frames are averaged. */
 const SETTLED = 4;
-/** Number of frames that the accumulated picture weighs as, after objects have moved. */
+/** Weight of the accumulated picture, as a number of frames, after objects have moved. */
 const MOVED = 3;
 /** Number of pixels from which on the default of `cells` is 1. */
 const LARGE = 4e6;
@@ -50,14 +50,14 @@ export interface TAAOptions {
 }
 
 /**
- * Temporal anti-aliasing. Each frame is drawn with the projection (of a stand-in for the host's camera) shifted within the
- * pixel, and mixed with the history of earlier frames, sampled where the pixel's surface was then: by depth and camera motion,
- * and for moving objects, skins, morphs, instances and batches by a motion pass. The history has four cells a pixel, so that
- * repeated sampling does not blur it. At edges whose depth agrees with the last frame's it is used unchanged; elsewhere it is
- * clipped to the colours of the pixel's neighbours (variance clipping in YCoCg). A picture without changes becomes the mean of
- * 32 samples in each pixel. Works with every technique. Changes are detected from matrices, lights, and colours and numbers of
- * materials. The host's own shaders and videos count as always changing; what such shaders move may ghost. Where particles are
- * or were in the last frame no history is used, so that they leave no trail.
+ * Temporal anti-aliasing. Each frame is drawn with the projection (of a stand-in for the host's camera) shifted within
+ * the pixel, and mixed with the history of earlier frames, sampled where the pixel's surface was then: by depth and
+ * camera motion, and for moving objects, skins, morphs, instances and batches by a motion pass. The history has four
+ * cells a pixel, so that repeated sampling does not blur it. At edges whose depth agrees with the last frame's it is
+ * used unchanged; elsewhere it is clipped to the colours of the pixel's neighbours (variance clipping in YCoCg). A
+ * picture without changes becomes the mean of 32 samples in each pixel. Works with every technique. Changes are
+ * detected from matrices, lights and properties of materials; the host's own shaders and videos count as always
+ * changing, and what such shaders move may ghost. Pixels of particles, now or in the last frame, use no history.
  * @see Karis 2014, High Quality Temporal Supersampling, https://advances.realtimerendering.com/s2014/
  * @see Yang et al. 2009, Amortized Supersampling, https://doi.org/10.1145/1618452.1618481
  * @see Salvi 2016, An Excursion in Temporal Supersampling (GDC)
@@ -163,7 +163,7 @@ export class TAA implements FarolEffect {
   }
 
   begin(frame: Frame): void {
-    // the targets hold a failed frame, or were lost with the context (three then has new lists)
+    // the targets hold a failed frame, or were lost with the context (three.js then has new render lists)
     if (this.open || this.contextLists !== contextLists(frame.webgl)) this.reset();
     this.open = true;
     this.contextLists = contextLists(frame.webgl);
@@ -238,7 +238,7 @@ export class TAA implements FarolEffect {
     const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
     const follows = !history.isEmpty;
     const moved = !viewProjection.equals(history.viewProjection);
-    // only with a still camera: a moving one sees other objects, and clipping handles their changes
+    // a moving camera meets other materials and uploads; the clipping of history suffices for those
     const relit =
       history.lights.changed(frame.lights) ||
       (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.materialHash));
@@ -323,7 +323,7 @@ export class TAA implements FarolEffect {
     const scales = targetSizes.room > 0;
     const wanted = this.options.cells ?? (history.cellsOf(scales) || (width * height < LARGE ? 2 : 1));
     const cells = (this.pastCells.farol_cells.value = beyond ? 1 : wanted);
-    // while a frame budget changes the scale step by step, history of another size is used
+    // while a frame budget changes the resolution in steps, history of another size is used
     if (!history.hasSize(width, height, cells) && history.cellsOf(scales) !== cells) history.reset();
     history.setSize(width, height, cells);
     return history;
@@ -346,7 +346,7 @@ export class TAA implements FarolEffect {
   }
 }
 
-/** Whether lights of fields have changed since the last frame. */
+/** Whether the frame has light fields and has uploaded light data, so that their lights may have changed. */
 function sendsFields({ lights, uploadedBytes }: Frame): boolean {
   return lights.fields.length > 0 && uploadedBytes > 0;
 }

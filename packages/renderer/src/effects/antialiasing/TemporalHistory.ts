@@ -23,7 +23,7 @@ const REACH = { type: HalfFloatType, format: RGFormat } as const;
 export class TemporalHistory {
   /** States of objects in the last frame. */
   readonly motions = new ObjectMotions();
-  /** Pixels whose history is ignored: particles and others that change without motion. */
+  /** Pixels whose history is ignored: those of particles and other surfaces that change without motion. */
   readonly reactive = new ReactiveMasks();
   readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */
@@ -42,7 +42,7 @@ export class TemporalHistory {
   frame = 0;
   /** Hash of the last frame's materials and surroundings, from `looksOf` and `surroundingsOf`. */
   materialHash = 0;
-  /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
+  /** Sum of the weights of the samples in each cell of a pixel, since the picture last changed. */
   readonly gathered = new Vector4();
   private readonly targets = [new PassTarget(CELLS), new PassTarget(CELLS)];
   private readonly reaches = [new PassTarget(REACH), new PassTarget(REACH)];
@@ -81,7 +81,7 @@ export class TemporalHistory {
     return this.width === width && this.height === height && this.cells === cells;
   }
 
-  /** Cells along a pixel's side in this history, if it must keep them; 0 if it need not or is empty. */
+  /** Cells along a pixel's side in this history if their number must stay (`keeps`); 0 if it may change or is unset. */
   cellsOf(keeps: boolean): number {
     return keeps && !this.isEmpty ? this.cells : 0;
   }

@@ -7,7 +7,7 @@ uniform highp sampler2D farol_pictureDepth;
 
 /** Greatest rounding error of a depth-buffer value. */
 const float FAROL_ROUNDING = 2e-7;
-/** Mark added to the alpha of a sample whose surface the picture shows; readable, with alpha, in a mean of 4. */
+/** Added to the alpha of a sample whose surface the picture shows; can be told from alpha in a mean of 4 samples. */
 const float FAROL_SHOWN = 8.0;
 
 /**
@@ -33,7 +33,7 @@ bool farol_edgeColor(
     for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
       ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
       vec2 off = vec2(at - pixel);
-      // of several pixels that fit the sample, takes the nearest in depth
+      // of several pixels whose depth fits the sample, the nearest in depth is found
       float apart = abs(texelFetch(farol_pictureDepth, at, 0).r - depth - dot(slope, off))
         + (FAROL_ROUNDING + 0.01 * slopes) * dot(off, off);
       if (apart < least) { least = apart; found = at; }

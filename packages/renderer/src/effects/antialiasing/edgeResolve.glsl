@@ -1,7 +1,7 @@
-// Mean of a pixel's samples; the picture's colour where a surface that was not redrawn hides those of the samples.
+// Mean of a pixel's samples; the picture's colour where a surface that was not redrawn hides the samples' surfaces.
 // Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 uniform highp sampler2D farol_picture;
-uniform highp sampler2D farol_samples; // multisampled surfaces at edges; alpha: + FAROL_SHOWN (edgeColor.glsl)
+uniform highp sampler2D farol_samples; // surfaces at edges, multisampled; alpha: raised by FAROL_SHOWN (edgeColor.glsl)
 uniform bool farol_whole; // whether all surfaces were drawn multisampled, not only those at edges
 layout(location = 0) out highp vec4 farol_color;
 //# main

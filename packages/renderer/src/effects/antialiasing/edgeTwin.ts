@@ -6,12 +6,12 @@ import edgeFragment from './edgeFragment.glsl?raw';
 
 const KEPT = 'float farol_shown;\nbool farol_keeps = false;\nvec4 farol_kept;\n';
 const LAST = 'if (farol_keeps) gl_FragColor = farol_kept; else gl_FragColor.a += farol_shown;';
-// gl_FragCoord.z of a multisampled fragment may be the depth of a sample
+// gl_Position.zw, from which depth is computed: gl_FragCoord.z of a multisampled fragment may be that of a sample
 const VARYING = 'varying highp vec2 farol_edgeZW;\n';
 
 /**
- * Twin kind of an opaque draw that takes the surface's colour from the finished picture, and shades only where the picture does
- * not show the surface.
+ * Kind of twin (material in place of the host's) for an opaque draw that takes the surface's colour from the finished
+ * picture, and shades only where the picture does not show the surface.
  * @param uniforms - uniforms of edgeColor.glsl, and `farol_reuse`: whether neighbouring pixels' colours may be used,
  *   `farol_shades`: whether surfaces that the picture does not show are shaded
  */

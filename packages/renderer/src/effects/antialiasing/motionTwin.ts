@@ -14,15 +14,15 @@ const WRITE =
   'gl_FragColor = vec4(0.5 * (farol_now.xy / farol_now.w - farol_before.xy / farol_before.w), farol_before.w - farol_now.w, 1.0);\nif (true) return;';
 
 /**
- * Twins that write a surface's motion over the picture since the last frame, and its change of distance. Two kinds share one
- * program, and draws alternate between them: three uploads a material's uniforms only when the material changes.
+ * Two kinds of twins (materials in place of the host's) that write a surface's motion since the last frame. They share
+ * a program, and draws alternate between them: three uploads uniforms only if the next draw has another material.
  * @param uniforms - uniforms of motionVertexHeader.glsl
  */
 export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinKind, TwinKind] {
   const kind = (): TwinKind => ({
     key: 'motion',
     chunks: () => [],
-    // the picture already has the same depth here, up to rounding
+    // the picture already has the same depth here: the offset lets the motion pass the depth test despite rounding
     properties: {
       blending: NoBlending,
       depthWrite: false,
@@ -40,7 +40,7 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
   return [kind(), kind()];
 }
 
-/** True for draws whose motion the twins can draw; others count as still. */
+/** True for draws whose motion the twins can draw; other draws count as still. */
 export function hasMotionTwin(item: RenderItem): boolean {
   const material = item.material as RenderItem['material'] & {
     isMeshBasicMaterial?: boolean;

@@ -22,7 +22,7 @@ vec4 own = farol_weightsAt(pixel);
 // blending weights of the neighbours below, above, left and right
 vec4 weights = vec4(own.r, farol_weightsAt(pixel + ivec2(0, 1)).g, own.b, farol_weightsAt(pixel + ivec2(1, 0)).a);
 farol_color = farol_linearAt(pixel);
-// blends only across the edges with the larger weights: both directions would blur corners
+// blends across horizontal or vertical edges only, those of larger weight: blending across all would blur corners
 if (max(weights.z, weights.w) > max(weights.x, weights.y)) weights.xy = vec2(0.0);
 else weights.zw = vec2(0.0);
 float sum = weights.x + weights.y + weights.z + weights.w;

@@ -3,12 +3,12 @@
 // Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here
 #include "frameSize"
 uniform highp sampler2D farol_edgeMap;
-layout(location = 0) out highp vec4 farol_weights; // x, y: lower edge: own, neighbour; z, w: left edge
+layout(location = 0) out highp vec4 farol_weights; // lower edge: x: pixel, y: neighbour; left: z: pixel, w: neighbour
 
 const int FAROL_REACH = 32; // distance that an edge is followed to either side (pixels)
 
-// areas between the edge and a line from a to b (x along the edge, y across) in the pixel x to x + 1: own side, other
-// side
+// areas between the edge and a line from a to b (x along the edge, y across), between x and x + 1; x: in the pixel, y:
+// in its neighbour across the edge
 vec2 farol_areaUnder(const in vec2 a, const in vec2 b, const in float x) {
   if (x + 1.0 <= a.x || x >= b.x) return vec2(0.0);
   float slope = (b.y - a.y) / (b.x - a.x);
@@ -26,8 +26,8 @@ vec2 farol_areaUnder(const in vec2 a, const in vec2 b, const in float x) {
   return vec2(max(triangles.x, triangles.y), max(-triangles.x, -triangles.y));
 }
 
-// lengths of the edge to either side of the pixel; first, last: turn of each end, 1 to the own side, -1 to the other,
-// 0 neither, 2 both
+// areas for lengths of the edge before and after the pixel; first, last: turn of each end: 1 to the pixel's side of the
+// edge, -1 to its neighbour's, 0 to no side, 2 to each side
 vec2 farol_edgeArea(const in float before, const in float after, const in float first, const in float last) {
   float d = before + after + 1.0;
   float start = first == 2.0 ? (last == 2.0 ? 0.0 : -last) : first;
@@ -37,7 +37,7 @@ vec2 farol_edgeArea(const in float before, const in float after, const in float 
   if (start * end < 0.0) return farol_areaUnder(vec2(0.0, 0.5 * start), vec2(d, 0.5 * end), before);
   vec2 area1 = start == 0.0 ? vec2(0.0) : farol_areaUnder(vec2(0.0, 0.5 * start), vec2(0.5 * d, 0.0), before);
   vec2 area2 = end == 0.0 ? vec2(0.0) : farol_areaUnder(vec2(0.5 * d, 0.0), vec2(d, 0.5 * end), before);
-  if (start == end) { // an edge of one pixel is a rounded corner rather than a step
+  if (start == end) { // ends that turn to one side: a short edge is a rounded corner rather than a step
     float straight = min(d / 32.0, 1.0);
     area1 = mix(sqrt(2.0 * area1) * 0.5, area1, straight);
     area2 = mix(sqrt(2.0 * area2) * 0.5, area2, straight);
@@ -54,10 +54,10 @@ bool farol_isEdge(const in ivec2 pixel, const in int along) {
   return farol_edgesAt(pixel)[along] > 0.5;
 }
 
-// Direction in which an edge turns at its end: 1 to its own side, -1 to the other, 2 both, 0 neither.
-// Slanted lines: the edge continues on the next row for the given number of pixels at least. Corners, ends of thin
-// lines and crossings do not, and are not smoothed: thin lines would fade there.
-// own, other: whether a crossing edge goes to that side; outside: the pixel beyond the end, on the own side
+// Direction in which an edge turns at its end: 1 to the pixel's side, -1 to its neighbour's, 2 to each side, 0 to no
+// side. On slanted lines, the edge continues on the next row for the given number of pixels at least. Corners, ends of
+// thin lines and crossings do not continue, and are not smoothed: thin lines would fade there.
+// own, other: whether a crossing edge goes to the pixel's, the neighbour's side; outside: the pixel beyond the end
 float farol_turn(const in bool own, const in bool other, const in ivec2 outside, const in ivec2 over,
   const in ivec2 outwards, const in int along, const in int pixels) {
   bool ownStep = own;
@@ -75,7 +75,7 @@ vec2 farol_edgeWeights(const in ivec2 pixel, const in int along) {
   ivec2 over = along == 0 ? ivec2(0, -1) : ivec2(-1, 0);
   int before = 0;
   int after = 0;
-  bvec2 first = bvec2(false); // whether crossing edges go to the own side, to the other
+  bvec2 first = bvec2(false); // whether a crossing edge goes to the pixel's side (x), to its neighbour's (y)
   bvec2 last = bvec2(false);
   for (; before <= FAROL_REACH; before++) {
     ivec2 at = pixel - before * step;

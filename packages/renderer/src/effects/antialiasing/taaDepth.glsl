@@ -3,7 +3,8 @@
 #include "frameSize"
 #include "storedDistance"
 uniform highp sampler2D farol_pictureDepth;
-// distances of surfaces whose depth is shifted (polygonOffset), oblique or coarse, and the depth drawn with them
+// distances of surfaces, where depth cannot give them (polygonOffset, oblique near plane, few bits), and the depth
+// drawn with them
 uniform highp sampler2D farol_distances;
 uniform highp sampler2D farol_distanceDepth;
 uniform highp int farol_distancesStored; // kind of stored distances: 0 none, 1 perspective, 2 orthographic
@@ -12,15 +13,14 @@ uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // transform of this frame's normalised device coordinates to last frame's
 uniform highp vec2 farol_jitter; // this frame's subpixel offset of the projection (normalised device coordinates)
 uniform highp vec2 farol_depthKind; // x: 1 if depth is reversed, else 0; y: log2(far + 1) if it is logarithmic, else 0
-uniform highp vec4 farol_projectZ; // clip z = x z + y and clip w = z z + w of a view-space z
+uniform highp vec4 farol_projectZ; // for a view-space z of v: clip z = x v + y, clip w = z v + w
 uniform bool farol_hasMotion; // whether the motion map holds any motion
 
 ivec2 farol_inPicture(const in ivec2 pixel) {
   return clamp(pixel, ivec2(0), ivec2(farol_frameSize) - 1);
 }
 
-// normalised device z of a depth-buffer value, which for reversed depth is that z, and for logarithmic depth gives
-// clip w
+// normalised device z of a depth-buffer value; reversed depth is that z, logarithmic depth first gives view-space z
 float farol_deviceZ(const in float depth) {
   if (farol_depthKind.y > 0.0) {
     float z = 1.0 - exp2(depth * farol_depthKind.y);
@@ -40,7 +40,7 @@ float farol_deviceZAt(const in float away) {
   return (farol_projectZ.y - away * farol_projectZ.x) / (farol_projectZ.w - away * farol_projectZ.z);
 }
 
-// distance of a surface from its depth (m), at most the greatest half float
+// a surface's distance along the view (m) for normalised device z; at most 6e4, so that half floats hold it
 float farol_distanceOf(const in float deviceZ) {
   float z = (farol_projectZ.y - deviceZ * farol_projectZ.w) / (deviceZ * farol_projectZ.z - farol_projectZ.x);
   return clamp(-z, 1e-3, 6e4);

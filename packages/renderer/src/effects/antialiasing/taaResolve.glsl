@@ -16,8 +16,8 @@ uniform bool farol_encoded;
 uniform bool farol_hasPast;
 uniform highp vec2 farol_share; // share of a new sample of weight 1: x in moving pixels, y in still ones
 uniform float farol_gamma; // standard deviations to which history is clipped; 0: no clipping, in a still picture
-// 0: lights have changed; 1: may have changed; 2: have not; 3: nor has the camera, nor did an object appear or
-// vanish; 4: as 3, but the camera has moved
+// 0: lights have changed; 1: lights may have changed; 2: lights are unchanged; 3: also the camera, and no object has
+// just appeared or vanished; 4: as 3, but the camera has moved
 uniform int farol_belief;
 // reactive masks of this and the last frame: least share of the new sample, 0 to 1, where history is unreliable
 uniform highp sampler2D farol_reactive;
@@ -119,7 +119,7 @@ else if (farol_hasPast) {
   if (uv == clamp(uv, 0.0, 1.0)) {
     vec4 past = still ? texelFetch(farol_history, cell, 0)
       : max(farol_lanczosCross(farol_history, uv, farol_sizeBefore * float(farol_cells)), 0.0);
-    // history is believed if the nearest surface was nearest there too, or if nothing moves
+    // history is believed if last frame's nearest surface there has the expected distance, or if nothing moves
     float before = texelFetch(farol_reachBefore, min(ivec2(uv * farol_sizeBefore), ivec2(farol_sizeBefore) - 1), 0).x;
     float expected = nearest * way.z / shownDistance;
     bool same = abs(abs(before) - expected) < (FAROL_APART - 1.0) * expected;

@@ -1,8 +1,8 @@
-// Multiplies a surface's indirect light by its albedo with the decal over that without.
+// Multiplies a surface's indirect light by the ratio of its albedos with and without the decal.
 // Farol
 #include "decalSurface"
 uniform lowp sampler2D farol_surfaceMaterial; // G-buffer's material attachment; y: metalness of a MeshStandardMaterial
-uniform bool farol_environment; // whether an environment map lights the scene: metal reflects only it
+uniform bool farol_environment; // whether an environment map lights the scene, the only indirect light on metal
 layout(location = 0) out highp vec4 farol_accumulation;
 layout(location = 1) out highp vec4 farol_indirect;
 //# main

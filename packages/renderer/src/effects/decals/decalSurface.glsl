@@ -23,7 +23,7 @@ uniform float farol_decalFacing; // cosine of the largest angle between surface 
 struct FarolDecal {
   vec3 color; // linear colour of the decal
   float opacity; // opacity of the decal, above 0 to 1
-  vec3 blended; // albedo of the surface under the decal, linear, 0 to 1
+  vec3 blended; // albedo of the surface with the decal blended over it, linear, 0 to 1
   vec3 normal; // normal of the surface, view space
   vec3 albedo; // albedo of the surface and of decals already on it, linear
   int flags; // flags of the surface, see surfaceFlags.glsl
@@ -54,7 +54,7 @@ vec3 farol_blend(const in vec3 below, const in vec3 color, const in float opacit
   return color + below * (1.0 - opacity);
 }
 
-// false outside of the decal's box, where it faces away, or where it is transparent
+// false outside of the decal's box, on surfaces turned too far from its axis, or where the decal is transparent
 bool farol_findDecal(const in ivec2 pixel, out FarolDecal decal) {
   if (farol_isEmpty(texelFetch(farol_surfaceDepth, pixel, 0).r)) return false;
   vec3 place = farol_inDecal(pixel);

@@ -19,7 +19,7 @@ iblIrradiance *= farol_environmentShare;
 #endif`;
 
 /**
- * Twin kind of lit materials that adds the light of probes to those without a lightmap.
+ * Kind of twin (material in place of the host's) that adds the light of probes to a lit material without a lightmap.
  * @param uniforms - uniforms of probeIrradiance.glsl
  */
 export function probedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {

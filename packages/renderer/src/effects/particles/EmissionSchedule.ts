@@ -46,7 +46,7 @@ export class EmissionSchedule {
   private share = 0;
   /**
    * Ring buffer of groups of particles that began together: for each the number after its last particle, and the time
-   * when all of it have ended (s).
+   * when all of them have ended (s).
    */
   private ends = new Float64Array(4);
   private expiries = new Float64Array(4);

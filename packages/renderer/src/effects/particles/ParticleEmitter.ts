@@ -33,7 +33,7 @@ nothing.allowOverride = false;
 
 /** Maximum number of lights of an emitter, as of a LightField. */
 const MOST_LIGHTS = 2 ** 18;
-/** Texture of one light without a range, which lights nothing. */
+/** Texture of one light with a range of 0 m, which lights nothing. */
 const DARK = new DataTexture(new Float32Array(4), 1, 1, undefined, FloatType);
 DARK.needsUpdate = true;
 const NO_LIGHTS: LightTextures = { sphere: DARK, emission: DARK };
@@ -126,7 +126,7 @@ export class ParticleEmitter extends MeshWithSettings {
 
   /**
    * Sets several settings.
-   * @throws RangeError that names the first invalid one; those before it are set. An unknown name sets none
+   * @throws RangeError that names the first invalid one, with those before it set; for an unknown name, with none set
    */
   set(settings: Partial<ParticleSettings>): this {
     for (const name of Object.keys(settings)) checkParticleName(this.owner, name);
@@ -213,7 +213,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.field = count > 0 ? new LightField(count, { textures: NO_LIGHTS }) : null;
     if (this.field === null) return;
     this.field.name = 'Lights of particles';
-    // particles are in world space, not in the emitter's
+    // the field's matrix stays the identity: particles' positions are in world space, not in the emitter's
     this.field.matrixAutoUpdate = this.field.matrixWorldAutoUpdate = false;
     this.add(this.field);
   }
@@ -248,7 +248,7 @@ export class ParticleEmitter extends MeshWithSettings {
     const { capacity, rate, life, bursts } = this.values;
     this.toldOf = capacity;
     const enough = Math.ceil(rate * life[1]) + bursts.reduce((sum, { count }) => sum + count, 0);
-    // enough for `rate`: only particles that end in a step, and make room in the next, exceeded it; no warning
+    // no warning if the capacity suffices for `rate`: there is room again once the particles that ended are removed
     if (capacity >= enough) return;
     console.warn(
       `${this.owner}: capacity ${capacity} is reached, and no more particles begin; set it to ${enough} or more.`,
@@ -262,7 +262,7 @@ export class ParticleEmitter extends MeshWithSettings {
 }
 
 for (const name of settingNames) {
-  // every Object3D has the property receiveShadow
+  // receiveShadow stays the plain property that every Object3D has
   if (name === 'receiveShadow') continue;
   Object.defineProperty(ParticleEmitter.prototype, name, {
     get(this: ParticleEmitter) {

@@ -368,7 +368,7 @@ export class ParticleState {
     uniforms.farol_emitterStart.value.copy(onMesh ? shape.mesh.matrixWorld : isLocal ? matrix : start);
     uniforms.farol_emitterEnd.value.copy(onMesh ? shape.mesh.matrixWorld : matrix);
     const carried = uniforms.farol_carried.value.identity();
-    // not for a scale of 0, which has no inverse
+    // a scale of 0 has no inverse: particles then stay where they are
     if (isLocal && start.determinant() !== 0) carried.copy(start).invert().premultiply(matrix);
     from.setFromMatrixPosition(isLocal ? matrix : start);
     to.setFromMatrixPosition(matrix);

@@ -10,9 +10,9 @@ import { ParticleSurroundings } from './ParticleSurroundings';
 import { SurfaceDepth } from './SurfaceDepth';
 
 /**
- * Simulates and draws the scene's particles: objects of class `ParticleEmitter`. Works with every technique; sorted among
- * transparent objects by each emitter's distance; they write no depth and cast no shadows. TAA keeps no history of them. Put
- * this effect before others.
+ * Simulates and draws the scene's particles: objects of class `ParticleEmitter`. Works with every technique. Emitters
+ * are sorted among transparent objects by distance; particles write no depth and cast no shadows. TAA keeps no history
+ * of them. Put this effect before others.
  */
 export class Particles implements FarolEffect {
   readonly name = 'particles';
@@ -81,7 +81,7 @@ export class Particles implements FarolEffect {
     this.depth.scale.set(z / frame.width, w / frame.height);
     const lists = resources.find('light-lists');
     if (lists === undefined) return;
-    // tile lists that were culled by depth are for opaque surfaces only
+    // tile lists that were culled by depth may lack lights in front of the opaque surfaces
     const knowsAll = lists.loop !== 'lightLoopTiled' || this.depth.texture === null;
     this.loop = knowsAll ? lists.loop : 'lightLoopAll';
   }

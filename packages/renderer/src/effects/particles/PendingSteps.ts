@@ -4,13 +4,13 @@ import type { ParticleSettings } from './ParticleSettings';
 
 /** A simulation step that the GPU has not run yet. */
 export interface PendingStep extends SimulationStep {
-  /** World matrix of the emitter at the end of the step; the step before has that at its start. */
+  /** World matrix of the emitter at the end of the step; that at its start is the previous step's. */
   readonly matrix: Matrix4;
 }
 
 /** Maximum number of steps kept while the emitter is not drawn. */
 const MOST = 4096;
-/** Number of pending steps from which on steps whose particles have all ended are dropped. */
+/** Number of pending steps at which `drop` first drops steps whose particles have all ended. */
 const FEW = 64;
 
 function makeStep(): PendingStep {

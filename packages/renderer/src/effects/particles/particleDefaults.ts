@@ -1,6 +1,6 @@
 import type { ParticleSettings } from './ParticleSettings';
 
-/** Settings of a ParticleEmitter that are not given. */
+/** Defaults of the settings of a ParticleEmitter. */
 export const particleDefaults: ParticleSettings = {
   capacity: 1000,
   seed: 1,

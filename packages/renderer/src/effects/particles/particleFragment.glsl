@@ -44,7 +44,7 @@ farol_color.a *= farol_dot * farol_dot;
 #if defined( FAROL_LIT ) && ! defined( FAROL_MESH )
 float farol_front = sqrt(max(0.0, 1.0 - farol_radiusSquared));
 vec4 farol_facing = vec4(normalize(vec3(farol_particleBall.xy, farol_front)), 1.0);
-// 1 / 2π
+// 1 / 2π: Lambert's 1 / π, halved since a light at 90° counts half
 farol_color.rgb *= 0.15915494 * max(vec3(0.0), farol_facing * farol_particleLit)
   + farol_surroundingLight(farol_facing.xyz * mat3(viewMatrix));
 #endif

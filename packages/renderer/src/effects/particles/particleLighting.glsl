@@ -7,7 +7,7 @@ uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
 uniform highp mat4 farol_particleView;
 uniform highp mat4 farol_particleProjection;
-uniform highp vec4 farol_listPicture; // picture of the light lists: xy: first pixel, zw: size (pixels)
+uniform highp vec4 farol_listPicture; // picture that the light lists cover: xy: first pixel, zw: size (pixels)
 uniform bool farol_particlesShadowed;
 layout(location = 0) out highp vec4 farol_red;
 layout(location = 1) out highp vec4 farol_green;

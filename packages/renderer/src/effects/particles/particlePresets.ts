@@ -1,6 +1,6 @@
 import type { ParticleSettings } from './ParticleSettings';
 
-/** Settings of common effects that differ from the defaults: `new ParticleEmitter(particlePresets.fire)`. */
+/** Settings for fire, smoke and the like, where not the defaults: `new ParticleEmitter(particlePresets.fire)`. */
 export const particlePresets = {
   fire: {
     capacity: 400,
@@ -122,5 +122,5 @@ export const particlePresets = {
   },
 } as const satisfies Record<string, Partial<ParticleSettings>>;
 
-/** Names of the settings of common effects. */
+/** Names of the entries of `particlePresets`. */
 export type ParticlePresetName = keyof typeof particlePresets;

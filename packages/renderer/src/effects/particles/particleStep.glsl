@@ -4,9 +4,9 @@
 #include "particleMotion"
 uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
-uniform highp ivec4 farol_beginning; // new particles: x: first slot; y: number at once; z: number later; w: all slots
+uniform highp ivec4 farol_beginning; // x: first new slot; y: number at once; z: number after that; w: slots in all
 uniform highp uint farol_firstNumber; // number of the first new particle since the restart
-uniform highp vec3 farol_stepTimes; // seconds; x: length of the step; y: first later start; z: interval of later ones
+uniform highp vec3 farol_stepTimes; // times (s): x: step; y: first particle after the start; z: between later ones
 uniform highp mat4 farol_emitterStart; // world matrix of the emitter at the start of the step and at its end
 uniform highp mat4 farol_emitterEnd;
 uniform highp mat4 farol_carried; // motion of the emitter in the step, for living particles that move with it

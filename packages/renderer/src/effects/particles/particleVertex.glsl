@@ -24,7 +24,7 @@ uniform highp sampler2D farol_particleOrder; // particles from far to near: dist
 #endif
 #ifdef FAROL_LIT
 #include "particleSurroundings"
-// light of each slot by colour; xyz: sum times direction (view space); w: sum
+// light on each slot's particle, a texture a colour; xyz: sum over lights of light × direction (view space); w: sum
 uniform highp sampler2D farol_particleRed;
 uniform highp sampler2D farol_particleGreen;
 uniform highp sampler2D farol_particleBlue;
@@ -149,7 +149,7 @@ if (farol_center.w < farol_life) {
   farol_particleLit[2] = texelFetch(farol_particleBlue, farol_texel, 0);
   #ifdef FAROL_MESH
     vec4 farol_facing = vec4(normalize(farol_normalVS), 1.0);
-    // 1 / 2π
+    // 1 / 2π: Lambert's 1 / π, halved since a light at 90° counts half
     farol_particleColor.rgb *= 0.15915494 * max(vec3(0.0), farol_facing * farol_particleLit)
       + farol_surroundingLight(farol_facing.xyz * mat3(viewMatrix));
   #endif

@@ -1,7 +1,7 @@
 import { Matrix4, Vector3, type Mesh } from 'three';
 import { hasReadableVertices, isReadable } from '../../three/vertexData';
 
-/** Number of texels of a triangle: three corners, the first two also with share and alias, then their normals. */
+/** Texels of a triangle: three corners, two of them with `share` and `alias` of `aliasTable`, then their normals. */
 export const TEXELS_PER_TRIANGLE = 6;
 
 /** Table from which a triangle of a surface is chosen in proportion to its area, by two random numbers (alias method). */

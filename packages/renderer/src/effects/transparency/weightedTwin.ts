@@ -25,7 +25,7 @@ const BLENDING = {
   depthWrite: false,
 } as const;
 
-/** Twin kind of a transparent draw that adds its colour to the weighted sums instead of blending it over the target. */
+/** Kind of twin (material in place of the host's) that adds a transparent draw's colour to the weighted sums. */
 export function weightedTwin(kind: TwinKind): TwinKind {
   return {
     ...kind,

@@ -16,9 +16,9 @@ export class FogHistory {
   readonly ray = new Vector4();
   /** Number of frames drawn; selects the sample position within froxels. */
   frame = 0;
-  /** Number of frames in the mean. */
+  /** Number of frames in the mean that the froxels hold. */
   count = 0;
-  /** Weight of this frame in slices that it computes; `otherShare`: in the other slices. */
+  /** Weight of this frame in the mean, in slices that it computes; `otherShare`: in the other slices. */
   share = 1;
   otherShare = 1;
   /** Number of frames since lights changed. */

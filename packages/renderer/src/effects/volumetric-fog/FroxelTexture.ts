@@ -20,7 +20,7 @@ export class FroxelTexture {
     return width * height * depth * 8;
   }
 
-  /** Creates the texture, again for another size. @param size - froxels across, up and in depth */
+  /** Creates the texture if there is none of this size. @param size - froxels across, up and in depth */
   fit([width, height, depth]: Froxels): void {
     const { target } = this;
     if (target !== null && target.width === width && target.height === height && target.depth === depth) return;

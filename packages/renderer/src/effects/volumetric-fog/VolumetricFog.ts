@@ -219,7 +219,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     this.work = fogWork(frame.isLite, this.isSoftware);
     const size = this.froxels;
     const history = this.historyOf(this.camera);
-    // writes the fields' lights to the light table, which the renderer would do later
+    // writes the lights of light fields to the light table, which the renderer would do later
     if (frame.fields?.isDrawn === false) frame.fields.render();
     medium.read(this, frame);
     const lights = frame.lights.directionals.length + frame.lights.unboundeds.length + frame.lights.listed;
@@ -292,7 +292,7 @@ export class VolumetricFog implements FarolEffect, FroxelBuffer {
     uniforms.farol_fogOtherShare.value = history.otherShare;
   }
 
-  /** Tells the history of changes, which set the number of frames in its mean. */
+  /** Passes this frame's changes to the history, which sets the number of frames in its mean by them. */
   private note({ camera, lights, fields, shadowMapsDrawn }: Frame, history: FogHistory, lightCount: number): void {
     const { medium, turns, work } = this;
     if (history.settingsHash !== medium.settingsHash) history.count = 0;

@@ -6,9 +6,9 @@ uniform highp vec4 farol_fogScatter; // rgb: scattering coefficient (1/m); a: ex
 uniform highp vec4 farol_fogHeight;
 uniform highp vec3 farol_fogDrift; // drift of the noise (m)
 uniform highp int farol_fogVolumes; // number of local volumes
-uniform highp mat4 farol_fogVolumeInverse[FAROL_MOST_VOLUMES]; // from world space to the unit box
-uniform highp vec4 farol_fogVolumeScatter[FAROL_MOST_VOLUMES]; // as farol_fogScatter; negative values remove fog
-uniform highp vec2 farol_fogVolumeShape[FAROL_MOST_VOLUMES]; // x: 1 for spheres; y: 1 / softness
+uniform highp mat4 farol_fogVolumeInverse[FAROL_MOST_VOLUMES]; // from world space to each volume's unit box
+uniform highp vec4 farol_fogVolumeScatter[FAROL_MOST_VOLUMES]; // as farol_fogScatter, below 0 to remove fog
+uniform highp vec2 farol_fogVolumeShape[FAROL_MOST_VOLUMES]; // x: 1 for a sphere, 0 for a box; y: 1 / softness
 
 float farol_fogHash(const in ivec3 cell) {
   uvec3 v = uvec3(cell) * 1664525u + 1013904223u;

@@ -27,7 +27,7 @@ layout(location = 5) out highp vec4 farol_froxel5;
 layout(location = 6) out highp vec4 farol_froxel6;
 layout(location = 7) out highp vec4 farol_froxel7;
 #endif
-// current point and its sums
+// view-space point (m) whose light is summed, and the sums
 vec3 farol_fogPosition;
 vec3 farol_fogView; // direction from the eye, unit length
 vec3 farol_fogLight;

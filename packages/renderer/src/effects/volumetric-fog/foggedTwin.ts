@@ -57,11 +57,11 @@ export function isFogged(kind: TwinKind, material: Material): boolean {
     isRawShaderMaterial?: boolean;
   };
   if (isShaderMaterial !== true) return (fog as boolean | undefined) !== false;
-  // particles and other draws of Farol's own fog themselves
+  // the shaders of particles and of other draws of Farol's own apply fog themselves
   return isRawShaderMaterial !== true && glslVersion !== GLSL3 && !(material instanceof OutputMaterial);
 }
 
-/** Twin kind of a draw with the fog between the eye and its surface, applied before tone mapping. */
+/** Kind of twin (material in place of the host's) that applies the fog between eye and surface before tone mapping. */
 export function foggedTwin(kind: TwinKind): TwinKind {
   const variant = (source: Material) => `${kind.variant?.(source) ?? ''}${blendOf(source)}`;
   return {

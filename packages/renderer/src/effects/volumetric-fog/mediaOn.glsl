@@ -19,7 +19,7 @@ vec3 farol_throughMedia(const in vec3 radiance, const in float depth) {
   return radiance * media.a + media.rgb;
 }
 
-// light with fog from its source to the eye, changed to fog from its source to this pixel's depth only (behind glass)
+// removes the fog between the eye and this pixel's depth (a glass's) from the light of a surface behind it
 vec4 farol_behindMedia(const in vec4 fogged) {
   vec4 media = farol_mediaAt(1.0 / gl_FragCoord.w);
   return vec4(max(vec3(0.0), fogged.rgb - media.rgb) / max(media.a, 0.05), fogged.a);

@@ -25,8 +25,8 @@ struct FarolAreaLobe {
   vec4 ltc; // inverse transform of the specular lobe, from farol_ltcAt(…, 0)
 };
 
-// table: 0 for the transform, 1 for Fresnel's weights; not for loops whose length differs by pixel, since the texture
-// read uses derivatives, as in three
+// table: 0 for the transform, 1 for Fresnel's weights; do not call in loops whose length differs by pixel, since the
+// texture read uses derivatives, as in three
 vec4 farol_ltcAt(const in float roughness, const in float dotNV, const in float table) {
   vec2 place = vec2(roughness, sqrt(1.0 - clamp(dotNV, 0.0, 1.0))) * (63.0 / 64.0) + 0.5 / 64.0;
   return texture(farol_ltc, vec2(place.x, 0.5 * (place.y + table)));

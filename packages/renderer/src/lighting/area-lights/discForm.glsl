@@ -3,7 +3,7 @@
 //? farol_discForm(vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)) == vec2(0.500000, 1.000000)
 //? farol_discForm(vec3(0.0, 0.0, 2.0), vec3(2.0, 0.0, 0.0), vec3(0.0, 2.0, 0.0)) == vec2(0.500000, 1.000000)
 //? farol_discForm(vec3(1.0, 0.5, 1.5), vec3(0.6, 0.0, 0.2), vec3(0.0, 0.4, 0.1)) == vec2(0.040852, 0.829990)
-// its half diameters aslant: software rasterisers' trigonometry is a little off
+// these half diameters are not perpendicular, for which software rasterisers' trigonometry is less exact
 //? distance(farol_discForm(vec3(-0.5, 2, 0.8), vec3(1, 0, 0), vec3(1, 0, 1)), vec2(0.147193, 0.339947)) < 2e-4 == true
 //? farol_discForm(vec3(3.0, -4.0, 8.0), vec3(0.1, 0.05, 0.0), vec3(0.0, 0.3, 0.2)) == vec2(0.000417, 0.847921)
 //? farol_discForm(vec3(0.2, 0.1, 0.4), vec3(3.0, 0.0, 0.1), vec3(0.0, 0.05, 0.0)) == vec2(0.117356, 0.969742)

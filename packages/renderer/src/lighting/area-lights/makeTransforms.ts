@@ -17,7 +17,7 @@ export function makeTransforms(webgl: WebGLRenderer): DataTexture {
   data.set(first);
   data.set(second, first.length);
   const texture = new DataTexture(data, SIZE, 2 * SIZE, RGBAFormat, isFloat ? FloatType : HalfFloatType);
-  // only magFilter, as in three's own tables
+  // minFilter stays NearestFilter, as in three's own tables
   texture.magFilter = LinearFilter;
   texture.needsUpdate = true;
   return texture;

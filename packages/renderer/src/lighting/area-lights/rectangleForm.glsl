@@ -27,7 +27,7 @@ vec3 farol_rectangleForm(const in vec3 centre, const in vec3 u, const in vec3 v)
   vec4 inverse = inversesqrt(vec4(dot(a, a), dot(b, b), dot(c, c), dot(d, d)));
   vec4 inverses = inverse * inverse.yzwx;
   vec4 weights = inverses * farol_edgeWeights(inverses * vec4(dot(a, b), dot(b, c), dot(c, d), dot(d, a)));
-  // weighted sum of the four edges' cross products, written by those of u, v and centre
+  // weighted sum of the edges' cross products, which are sums of those of u, v and centre
   return 2.0 * ((weights.x - weights.z) * cross(u, centre) + (weights.y - weights.w) * cross(centre, v)
     - (weights.x + weights.y + weights.z + weights.w) * cross(u, v));
 }

@@ -7,7 +7,7 @@ export const TILE_SHIFT = 4;
 export interface TileUniforms extends Record<string, IUniform> {
   /** Log2 of the number of grids of tiles side by side in a list texture, tiles in x, tiles in y, quads of 128 lights a tile. */
   readonly farol_tiles: { value: number[] };
-  /** First record of the listed lights, their number, summary texels a tile, quads of plain point lights. */
+  /** First record of the listed lights, their number, texels of `farol_tileSummary` a tile, plain quads (of 128). */
   readonly farol_tileRun: { value: number[] };
   readonly farol_tileMask: IUniform<Texture | null>;
   readonly farol_tileSummary: IUniform<Texture | null>;

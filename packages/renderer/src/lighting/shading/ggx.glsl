@@ -11,11 +11,11 @@ float farol_smithLambda(const in float alphaSquared, const in float cosine) {
   return sqrt(alphaSquared + (1.0 - alphaSquared) * cosine * cosine);
 }
 
-// V = 0.5 / (gv + gl), D = alpha² / (pi d²); lambdaV: farol_smithLambda of dotNV
+// visibility 0.5 / shadowing, times distribution alpha² / (pi d²); lambdaV: farol_smithLambda of dotNV
 float farol_ggxLobe(const in float alphaSquared, const in float lambdaV, const in float dotNV, const in float dotNL,
   const in float dotNH) {
 #ifdef FAROL_LITE
-  // Hammon's approximation of this, without a root for each light
+  // Hammon's approximation of the Smith term, without a root for each light
   float alpha = sqrt(alphaSquared);
   float shadowing = dotNL * (2.0 * dotNV * (1.0 - alpha) + alpha) + dotNV * alpha;
 #else
@@ -25,7 +25,7 @@ float farol_ggxLobe(const in float alphaSquared, const in float lambdaV, const i
   return 0.1591549431 * alphaSquared / (max(shadowing, 1e-6) * d * d);
 }
 
-// V = 0.25, D = (shininess / 2 + 1) / pi (n·h)^shininess
+// visibility 0.25, times distribution (shininess / 2 + 1) / pi (n·h)^shininess
 float farol_blinnPhongLobe(const in float shininess, const in float dotNH) {
   return 0.0795774716 * (shininess * 0.5 + 1.0) * pow(dotNH, shininess);
 }

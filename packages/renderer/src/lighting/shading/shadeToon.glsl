@@ -7,8 +7,8 @@ vec3 farol_toonNormals[4];
 vec3 farol_toonSteps[4]; // offsets from this pixel's position to those of the four pixels (m)
 
 void farol_startToon(const in vec3 positionVS, const in vec3 normalVS) {
-  // 1 in the second column or row of the quad, else 0: the derivative of a product with it is the value at that
-  // pixel, on any device
+  // second, first: 1 in the second, first column or row of the quad, else 0: the derivative of a product with one of
+  // them is, up to sign, the value at that pixel, on any device
   vec2 second = mod(floor(gl_FragCoord.xy), 2.0), first = 1.0 - second;
   float signX = dFdx(second.x), signY = dFdy(second.y);
   farol_toonNormals = vec3[4](

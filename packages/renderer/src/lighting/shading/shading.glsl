@@ -27,7 +27,7 @@ struct FarolShading {
 
 #ifdef FAROL_VERTEX_NORMAL
   #define FAROL_SHADOW_NORMAL_OF(s) s.shadowNormalVS
-#elif ! defined( FAROL_SHADOW_NORMAL_OF ) // gbufferRead defines its own
+#elif ! defined( FAROL_SHADOW_NORMAL_OF ) // gbufferRead.glsl has a definition of its own
   #define FAROL_SHADOW_NORMAL_OF(s) s.normalVS
 #endif
 #define FAROL_LOOKUP_OF(s) s.positionVS, FAROL_SHADOW_NORMAL_OF(s), farol_receivesShadows(s.flags)
@@ -86,7 +86,7 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
     specularScale = farol_extensionSpecular(light.extension);
     s.diffuse += farol_extensionAmbient(light.extension) * light.attenuation;
   }
-  if (dot(s.normalVS, light.direction) <= 0.0) return; // tested before the mask, which costs more than the light
+  if (dot(s.normalVS, light.direction) <= 0.0) return; // this test comes before the mask, which costs more
 #ifdef FAROL_UNBOUNDED_MASKS
   // farol_addLight is called in both branches, so that lights without a mask do not wait for a shadow
   if (light.mask > 0) {
@@ -140,7 +140,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
     }
     if (dot(s.normalVS, direction) <= 0.0) return;
 #if defined( FAROL_BOUNDED_MASKS ) || defined( FAROL_POINT_MASKS )
-    // only one call, since compilers inline the mask's code in each
+    // the mask is called at one place only, since compilers inline its code at each call
     if (isMaskedPoint || (farol_lightIsMasked(details) && !isLit)) {
       color *= attenuation * FAROL_MASK(farol_lightMaskRecord(details), isMaskedPoint, toLight, FAROL_LOOKUP_OF(s));
       farol_addLight(s, direction, color, color * specularScale);

@@ -2,8 +2,8 @@ import type { Frame } from '../../frame/Frame';
 import type { ForwardTwins } from '../../materials/forwardTwin';
 
 /**
- * Draws the `early` items into the host's target, in three's order, before all others.
- * @param twins - twins of a loop without light lists, which are not drawn yet
+ * Draws the `early` items into the host's target, in three's order, before all other items.
+ * @param twins - twins of a loop over all lights, since light lists are not drawn yet
  */
 export function drawEarly(frame: Frame, twins: ForwardTwins): void {
   const { queue } = frame;

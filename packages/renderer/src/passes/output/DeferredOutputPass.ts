@@ -7,7 +7,7 @@ interface DeferredUniforms extends GBufferUniforms {
   farol_lightingMap: IUniform<Texture | null>;
 }
 
-/** Adds the G-buffer's accumulation and the sum of the lights. */
+/** Writes the G-buffer's accumulated light plus the sum of the lights. */
 export class DeferredOutputPass extends OutputPass<DeferredUniforms> {
   readonly reads = ['gbuffer', 'lighting', 'overdraw'] as const;
 

@@ -11,16 +11,16 @@ const FAR = 8;
 const AIM = 0.98;
 /**
  * Share of the budget, besides the doubt due to noise, by which the predicted time may be off `AIM` before the scale changes;
- * more than one step of the scale is worth.
+ * one step of the scale changes the time by less.
  */
 const BAND = 0.06;
-/** `BAND` while the mean of the load is not steady yet, so that the goal follows new times sooner. */
+/** Value of `BAND` while the mean of the load is not steady yet, so that the goal follows new times sooner. */
 const SEARCH_BAND = 0.03;
 /** Factor by which the weight of earlier frames in the regression decays in each frame. */
 const MEMORY = 0.95;
 /**
- * Share of the budget above which intervals are late; above 1 for a refresh just over the budget. The second: while a load is
- * new.
+ * Shares of the budget above which intervals are late, for a known and a new load; above 1, since a display's refresh may be a
+ * little longer than the budget.
  */
 const [LATE, NEW_LATE] = [1.07, 1.05];
 /** Intervals below this share of the budget are a frame's own time; longer ones may be the display's refresh. */
@@ -31,7 +31,7 @@ const QUICK = 0.25;
 const MOST = 1.06;
 /** Number of punctual intervals after which a trial has succeeded, and up to which late frames are blamed on it. */
 const [TRIAL, BLAME] = [8, 240];
-/** Number of intervals before a larger scale is tried: at first, at least; after a failure, at most. */
+/** Number of intervals before a larger scale is tried: at first; at least; after one failure; at most, after several. */
 const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
 
 /**
@@ -43,7 +43,7 @@ const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
  */
 export class BudgetController {
   reason: string = REASONS.unknown;
-  /** Median of the last times (ms); null before the first. */
+  /** Median of the last frame times (ms); null before the first. */
   ms: number | null = null;
   source: BudgetSource = 'interval';
   /** Number of steps below the largest scale: at present, and as a goal. */
@@ -66,7 +66,7 @@ export class BudgetController {
   private blamed = false;
   /** Predicted time at the last punctual interval, as a share of the budget. */
   private usual = 0;
-  /** Number of punctual intervals to wait before a larger scale is tried: in general, and after failures. */
+  /** Number of punctual intervals to wait before a larger scale is tried: usually, and after failures (0 for none). */
   private pace = PACE;
   private patience = 0;
 
@@ -191,7 +191,7 @@ export class BudgetController {
     const constant = (y / n - (slope * x) / n) / slope;
     const change =
       ((0.3 * spread) / (spread + 4 * this.load.noise ** 2)) * (Math.min(Math.max(constant, 0), 1) - this.constant);
-    // so that load and constant still predict this frame's time
+    // rescaled so that load and constant still predict this frame's time
     this.load.rescale((this.constant + area) / (this.constant + change + area));
     this.constant += change;
   }

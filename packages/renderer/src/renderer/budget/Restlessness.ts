@@ -1,6 +1,6 @@
 /** Number of frames after an enlargement within which a reduction means that it failed: at first, and after a failure. */
 const [FAILED, FAILED_AGAIN] = [96, 240];
-/** Maximum steps of an enlargement or reduction that is a mere correction or trial, not a failure. */
+/** Maximum number of steps of an enlargement or reduction that is a mere correction or trial, not a failure. */
 const CORRECTION = 3;
 /** Number of frames that an enlargement must hold until failures are forgotten. */
 const HELD = 480;
@@ -21,7 +21,7 @@ export class Restlessness {
   /** Whether a larger scale has failed and no enlargement has lasted since. */
   isRestless = false;
   private sinceLarger = Infinity;
-  /** Steps of the last enlargements, and of the reductions after them. */
+  /** Number of steps of the last enlargements, and of the reductions after them. */
   private larger = 0;
   private smaller = 0;
   /** Step that each of the last frames needed, and the number of frames that needed each step. */

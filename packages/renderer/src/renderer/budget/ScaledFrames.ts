@@ -192,7 +192,7 @@ function makeTarget(
     depthTexture,
   });
   target.texture.name = 'Farol scaled picture';
-  // else three would make it SRGB8, and the device would encode colours that shaders have encoded already
+  // else three would choose SRGB8, and the device would encode colours that shaders have encoded already
   if (type === UnsignedByteType) target.texture.internalFormat = 'RGBA8';
   return target;
 }

@@ -1,11 +1,11 @@
-/** Number of times or loads in a median. */
+/** Number of frame times, or of loads, of which a median is taken. */
 export const RECENT = 5;
 const sorted = new Float64Array(RECENT);
 /** Minimum and maximum number of loads in the mean, and the relative error of the mean at which no more loads are needed. */
 const [LEAST, MOST, DOUBT] = [6, 40, 0.02];
 /** Smallest share by which the median of recent loads may differ from the mean before the mean begins anew. */
 const JUMP = 0.12;
-/** Number of a load's standard deviations, besides `JUMP`, by which the median may differ; that of five has half of one. */
+/** Number of standard deviations of a load, if above `JUMP`, by which the median of five loads may differ from the mean. */
 const JUMP_DEVIATIONS = 2.5;
 /** Standard deviation of normally distributed values, as a share of the mean difference of two of them. */
 const DEVIATION = 0.886;
@@ -57,7 +57,7 @@ export class SteadyLoad {
   add(measured: number): boolean {
     this.recent[this.added++ % RECENT] = measured;
     const median = medianOfLast(this.recent, this.added, RECENT);
-    // single frames that took far longer, or were interrupted, count no more than noise
+    // a single frame that took far longer, or was interrupted, counts no more than noise
     const off = Math.max(JUMP, JUMP_DEVIATIONS * this.noise);
     const load = Math.min(Math.max(measured, median / (1 + off)), median * (1 + off));
     if (this.last > 0) {

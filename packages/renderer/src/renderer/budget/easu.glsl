@@ -1,12 +1,12 @@
 // Enlarges a picture along its edges: sixteen pixels round a place, weighted by a kernel that an edge stretches.
-// AMD's has no corners and stretches less; from 0.7 its pictures are up to 0.7 dB farther from those at full size.
+// AMD's kernel leaves out corner pixels and stretches less: at scales from 0.7 on, up to 0.7 dB farther from full size.
 // FidelityFX Super Resolution 1.0, EASU: https://github.com/GPUOpen-Effects/FidelityFX-FSR; written anew after it.
 // Copyright (c) 2021 Advanced Micro Devices, Inc. All rights reserved. MIT: see licences.md of @farol/renderer.
 #include "frameSize"
 #include "perceptual"
 #include "viewport"
 uniform highp sampler2D farol_picture;
-uniform highp vec2 farol_scaling; // pixels of the small picture a pixel of the large one
+uniform highp vec2 farol_scaling; // pixels of the small picture per pixel of the large one
 layout(location = 0) out highp vec4 farol_color;
 
 /** Direction and length of the edge at a place: sums over the four pixels round it. */
@@ -53,7 +53,7 @@ void farol_addTap(inout vec4 sum, inout float total, const in vec2 off, const in
 vec2 place = (gl_FragCoord.xy - farol_offset) * farol_scaling - 0.5;
 ivec2 f = ivec2(floor(place));
 vec2 part = place - vec2(f);
-// m n o p
+// m n o p (names of the sixteen pixels)
 // i j k l
 // e f g h
 // a b c d

@@ -7,7 +7,7 @@ uniform highp sampler2D farol_finer; // the finer picture, in linear light
 uniform highp vec2 farol_finerSize; // size of the drawn part of farol_finer (texels)
 uniform highp vec2 farol_largeSize; // size of the large picture (pixels)
 uniform highp sampler2D farol_pictureDepth; // depth of the small picture
-uniform highp vec2 farol_scaling; // pixels of the small picture a pixel of the large one
+uniform highp vec2 farol_scaling; // pixels of the small picture per pixel of the large one
 uniform bool farol_isLinear; // whether the host's target is to be linear light, else encoded for the display
 layout(location = 0) out highp vec4 farol_color;
 //# main

@@ -1,4 +1,4 @@
-// Encodes linear light to 0 to 1, in steps that look alike, and decodes it; not display-encoded colours.
+// Encodes linear light to 0 to 1, in steps that look equal, and decodes it; leaves display-encoded colours as is.
 // Karis 2013, Tone Mapping (weights of samples by 1 / (1 + luma)); a gamma of 2 after it
 uniform bool farol_isLinear; // whether the picture is linear light
 

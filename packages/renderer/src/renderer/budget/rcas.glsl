@@ -6,7 +6,7 @@
 #include "viewport"
 uniform highp sampler2D farol_large; // enlarged picture, encoded by perceptual.glsl
 uniform highp sampler2D farol_pictureDepth; // depth of the small picture
-uniform highp vec2 farol_scaling; // pixels of the small picture a pixel of the large one
+uniform highp vec2 farol_scaling; // pixels of the small picture per pixel of the large one
 uniform highp vec2 farol_largeSize; // size of the large picture (pixels)
 uniform highp float farol_sharpness; // strength, 0 for none to 1 for as much as the neighbours allow
 layout(location = 0) out highp vec4 farol_color;

@@ -8,7 +8,7 @@ const ORIGIN = new Sphere();
 
 /**
  * Three's traversal of a scene for one camera of an array. Stock three traverses once for the whole array: levels of detail
- * (LOD) and the order of draws follow the array's own position and projection, so that all parts of the picture have the same.
+ * (LOD) and the order of draws follow the array's own position and projection, so that all parts of the picture agree in both.
  */
 export class ArrayTraversal {
   /** Array whose position the camera takes while the traversal runs. */

@@ -188,7 +188,7 @@ export class LearningFrames {
     this.measure();
     if (this.stage !== SECOND) return present;
     this.learner.begin();
-    // objects added later need further programs
+    // drops what was prepared: objects that were added since need further programs
     scene.drop();
     return rival;
   }

@@ -2,7 +2,7 @@
 const KEY = 'farol-learnt';
 /** Version of keys and values: raise it when techniques, keys or costs change, so that all is learnt anew. */
 const VERSION = 2;
-/** Maximum number of entries of a GPU, and of GPUs: about 4 kB each. */
+/** Maximum number of entries of one GPU (about 4 kB), and maximum number of GPUs. */
 const ENTRIES = 256;
 const GPUS = 4;
 

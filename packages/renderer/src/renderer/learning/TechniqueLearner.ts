@@ -23,7 +23,7 @@ const order: readonly ChosenTechnique[] = [
 /** Factor of the first technique of a pair in keys. */
 const PAIR = 8;
 
-/** A verdict of 'auto' on a GPU: the faster of two techniques, for figures from those listed up to twice as large. */
+/** A verdict of 'auto' on a GPU: the faster of two techniques, for frames with one to two times the figures given here. */
 export interface LearntChoice {
   /** Device by WEBGL_debug_renderer_info. */
   readonly gpu: string;
@@ -33,9 +33,9 @@ export interface LearntChoice {
   readonly lights: number;
   /** Mean number of lights over a pixel. */
   readonly coverage: number;
-  /** Estimated shadings of a pixel; 1 unless one of the two techniques draws depth first. */
+  /** Estimated number of shadings of a pixel; 1 unless one of the two techniques draws depth first. */
   readonly overdraw: number;
-  /** Pixels of the picture. */
+  /** Number of pixels of the picture. */
   readonly pixels: number;
 }
 
@@ -67,7 +67,7 @@ interface Rule {
  */
 export class TechniqueLearner {
   private readonly trials = new Map<number, Trials>();
-  /** Draws since the last trial. */
+  /** Number of draws since the last trial. */
   private draws = 0;
 
   constructor(readonly learnt: LearntChoices) {}

@@ -5,11 +5,11 @@ import type { Overdraw } from './Overdraw';
 
 /** Cheap figures of a frame, known before anything is drawn. */
 export interface SceneFigures {
-  /** Number of lights with a range in view. */
+  /** Number of lights in view that have a range. */
   readonly bounded: number;
   /** Number of lights that reach every pixel: directional ones and those without a range. */
   readonly everywhere: number;
-  /** Mean number of lights with a range over a pixel, whatever its depth. */
+  /** Mean number of lights with a range over a pixel, at any depth. */
   readonly coverage: number;
   /** Number of opaque items drawn. */
   readonly objects: number;
@@ -128,7 +128,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   preparation: P | null = null;
   private current: Choice | null = null;
   private waited = 0;
-  /** Frames in a row in which another technique than `current` was best. */
+  /** Number of frames in a row in which another technique than `current` was best. */
   private outdone = 0;
   private frames = 0;
 

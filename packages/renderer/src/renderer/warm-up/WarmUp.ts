@@ -59,7 +59,7 @@ export class WarmUp implements Preparation {
       },
       drawMesh: (mesh: Mesh, material: Material) =>
         this.tryDraw(mesh, { geometry: mesh.geometry, group: null }, material),
-      // a pass calls this once: always tried, whatever `left` says
+      // passes compile a mesh only once, so it is tried even if `left` is 0
       compileMesh: (mesh: Mesh, material: Material) => {
         const { left } = this;
         this.left = 1;
@@ -89,7 +89,7 @@ export class WarmUp implements Preparation {
     const { fills = 'behind' } = this.technique;
     const { queue } = frame;
     for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
-    // the dry run declares the same fills as the technique of this frame
+    // the dry run fills the pixels that this technique, when it draws, fills
     dry.fills = fills;
     dry.resources.begin();
     this.left = DRAWS;

@@ -32,7 +32,7 @@ const AFTER_LOSS: Record<MapState, MapState> = {
   'stale-whole': 'empty',
 };
 
-/** State of one shadow map, or cookie, in its atlas; only these methods change it. README.md lists their callers. */
+/** State of one shadow map or cookie in its atlas; only methods of this class change it. README.md lists their callers. */
 export class AtlasMap {
   /** Number of the last frame in which the map was out of date; written by `noteAge`. */
   since = 0;
@@ -114,7 +114,7 @@ export class AtlasMap {
     this.bounds = false;
   }
 
-  /** Notes that the map is drawn as planned. @throws Error when that was not planned */
+  /** Notes that the map is drawn as planned. @throws Error when no draw was planned */
   draw(): void {
     if (this.planned === null) throw new Error('A shadow map was drawn before it was planned: call plan() first.');
     this.current = this.planned;

@@ -7,7 +7,7 @@ import { textureHandle } from '../../three/handles';
 
 /** Greatest side of the atlas of cookies and variance shadow maps (texels). */
 const LARGEST_COLOURS = 4096;
-/** Step of the side of an atlas that is limited in bytes (texels). */
+/** Step in which the side of an atlas that is limited in bytes grows (texels). */
 const STEP = 256;
 
 /** The two atlases: depths of shadow maps; colours of cookies, with the moments of variance shadow maps. */
@@ -60,7 +60,7 @@ export class ShadowAtlases {
     atlas.raiseLimit(Math.min(side, most, this.webgl.capabilities.maxTextureSize));
   }
 
-  /** Drops both targets and limits. All regions must have been released. */
+  /** Drops the targets and the limits of both atlases. All regions must have been released. */
   clear(): void {
     this.depths.clear();
     this.colours.clear();

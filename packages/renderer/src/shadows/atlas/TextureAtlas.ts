@@ -19,9 +19,9 @@ export interface AtlasTenant {
   readonly placement: AtlasPlacement;
   /** State of the content of the map's region. */
   readonly map: AtlasMap;
-  /** Halvings of the map whose detail pictures would not show; none when absent. */
+  /** Number of times that the map is halved because pictures would not show its full size; never when undefined. */
   readonly detail?: MapDetail;
-  /** Number of mipmap levels of an image, laid out by mipmapBlock.ts; absent: one, without borders except a cube's. */
+  /** Number of mipmap levels of an image, laid out by mipmapBlock.ts; when undefined, one level, bordered only for cubes. */
   readonly levels?: number;
   /**
    * Width of the border round each face of a cube with sides of `faceWidth` texels: it repeats the neighbouring faces,
@@ -38,7 +38,7 @@ const SMALLEST = 512;
 const FINE_STEPS = 4096;
 /** Side of a shadow map (texels) at and below which it is not halved. */
 const SMALLEST_MAP = 16;
-/** Number of rebalancings from one placement of all maps in a full atlas to the next, at least. */
+/** Minimum number of rebalancings of a full atlas between two times that all maps are placed anew. */
 const REBALANCINGS = 10;
 /** Share of the atlas that regions of mixed sizes are expected to fill. */
 const FILLED = 0.9;
@@ -55,7 +55,7 @@ export class TextureAtlas {
   reduced = false;
   /** Number of rebalancings so far. */
   private rebalancings = 0;
-  /** Share of the largest atlas that maps are reduced to, 0 to 1: lowered when they did not fit. */
+  /** Share of the largest atlas that maps may fill after `reduce`, 0 to 1: lowered when they did not fit. */
   private filled = 1;
 
   /** @param limit - largest side (texels) @param make - makes a target with a given side (texels) */
@@ -223,7 +223,7 @@ export class TextureAtlas {
     return true;
   }
 
-  /** Halves the map with most texels for the share of the picture that its light covers. @returns the texels freed */
+  /** Halves the map with most texels for the share of the picture that its light covers. @returns number of texels freed */
   private halve(tenants: readonly AtlasTenant[]): number {
     let worst: AtlasTenant | null = null;
     let most = 0;
@@ -282,7 +282,7 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
  */
 function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
   const wanted = asked >> (tenant.detail?.level ?? 0);
-  // mipmaps of a cube are as high as three faces, and as the borders of all levels
+  // mipmaps of a cube are as high as three faces plus the borders of all levels
   const third = Math.floor((limit - 4 * (tenant.levels ?? 0)) / 3);
   const most = tenant.isCube
     ? third - 2 * tenant.borderOf(Math.min(wanted, third))

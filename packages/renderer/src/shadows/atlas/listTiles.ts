@@ -4,7 +4,7 @@ import type { AreaShadowLight } from '../slots/AreaShadowLight';
 import type { LightSlots } from '../slots/LightSlots';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
-/** Lists the regions in use of an atlas. @param images - whether of the atlas of cookies and profiles; else of shadow maps */
+/** Lists the regions in use of an atlas. @param images - true for cookies and profiles, false for shadow maps */
 export function listTiles({ atlases, isVariance, slots }: ShadowMaps, images: boolean): AtlasTiles {
   const inColours = images || isVariance;
   const atlas = inColours ? atlases.colours : atlases.depths;

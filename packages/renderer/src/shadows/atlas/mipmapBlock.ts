@@ -1,6 +1,6 @@
 /**
- * Width of the border round each mipmap level of a texture copied into an atlas (texels), of a cube round each face; it
- * holds the texels that the texture's wrapping, or the next face, puts there.
+ * Width of the border round each mipmap level of a texture copied into an atlas, for a cube round each face (texels); holds the
+ * texels that the texture's wrapping, or the next face, puts there.
  */
 export const LEVEL_BORDER = 1;
 
@@ -25,12 +25,12 @@ export function mipmapBlockHeight(height: number, levels: number, faces = 1): nu
   return Math.max(levelBottom(height, levels, faces), second);
 }
 
-/** Offset of a mipmap level to its left border (texels). */
+/** Distance from the left edge of a texture's mipmaps in an atlas to the left border of a level (texels). */
 export function levelLeft(width: number, level: number, faces = 1): number {
   return level > 1 ? levelSpan(width, 1, faces) : 0;
 }
 
-/** Offset of a mipmap level to its lower border (texels); for `level` = number of levels, the top of the last one. */
+/** Distance from the lower edge of the mipmaps to a level's border (texels); for `level` = number of levels, to the top. */
 export function levelBottom(height: number, level: number, faces = 1): number {
   let bottom = level > 0 ? levelSpan(height, 0, faces) : 0;
   for (let i = 2; i < level; i++) bottom += levelSpan(height, i, faces);

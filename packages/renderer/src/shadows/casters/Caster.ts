@@ -22,9 +22,9 @@ export interface Caster {
   proxy: Object3D | null;
   /** Number of the frame that last used `proxy`. */
   proxyFrame: number;
-  /** Number of changes of the world matrix, and of other changes of the box. */
+  /** Number of changes of the world matrix so far; other changes of the box are counted too. */
   matrixVersion: number;
-  /** Number of changes of `signature`. */
+  /** Number of changes of `signature` so far. */
   signatureVersion: number;
   signatureWalk: number;
   /** Copy of the object's triangles among the merged casters; null while the object is drawn by itself. */

@@ -31,9 +31,9 @@ type CasterMaterial = MeshDepthMaterial | MeshDistanceMaterial;
 interface CasterMaterialSet {
   /** Materials shared by all casters that need the same program, see `sharedFor`. */
   readonly shared: CasterMaterial[];
-  /** Depth materials by the caster's material, for materials that discard or displace. */
+  /** Materials of casters whose own material, the key, discards fragments or displaces vertices. */
   readonly unique: Map<Material, CasterMaterial>;
-  /** Depth materials by the caster's own material, for Farol materials whose surfaces discard or displace. */
+  /** Materials of casters whose own material, the key, has Farol surfaces that discard or displace. */
   readonly worn: Map<Material, CasterMaterial>;
 }
 
@@ -56,7 +56,7 @@ export class CasterMaterials {
 
   /**
    * @param light - light whose map is drawn
-   * @param bothSides - draws the sides that pictures show, as three does for variance shadow maps
+   * @param bothSides - whether to draw the sides that pictures show, as three does for variance shadow maps
    */
   get(object: Object3D, source: Material, light: Light, bothSides: boolean): Material {
     const isPoint = (light as Light & { isPointLight?: boolean }).isPointLight === true;
@@ -125,7 +125,7 @@ export class CasterMaterials {
     let material = unique.get(source);
     if (material === undefined) {
       unique.set(source, (material = this.make(shared)));
-      source.addEventListener('dispose', this.forget); // three adds a listener once
+      source.addEventListener('dispose', this.forget); // three ignores a second listener that is the same
     }
     return material;
   }
@@ -140,7 +140,7 @@ export class CasterMaterials {
       material.customProgramCacheKey = () => `farol:caster:${surfaces.key(microshaders)}`;
       Object.defineProperty(material, 'version', { get: () => surfaces.version(microshaders), set() {} });
       worn.set(source, material);
-      source.addEventListener('dispose', this.forget); // three adds a listener once
+      source.addEventListener('dispose', this.forget); // three ignores a second listener that is the same
     }
     return material;
   }

@@ -61,7 +61,7 @@ export class ShadowCasters {
 
   private meet(object: Object3D): void {
     const { geometry, material } = object as Partial<Mesh>;
-    if (!geometry || !material) return; // three reports the fault when it draws the object
+    if (!geometry || !material) return; // three reports what is missing when it draws the object
     let caster = this.known.get(object);
     if (caster === undefined) {
       caster = makeCaster(object);

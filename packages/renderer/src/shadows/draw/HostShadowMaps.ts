@@ -28,7 +28,7 @@ import { isDepthReversed, unmaskColour, unmaskDepth } from '../../three/state';
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
 
-/** Farol's state for a light's `shadow.map`; kept outside of the map, where a host would see it. */
+/** Farol's state for a light's `shadow.map`; not a property of the map, where a host would see it. */
 interface Watched {
   /** `shadowMap.type` for which the map was made. */
   readonly type: number;
@@ -87,7 +87,7 @@ function isOfType({ textures, depthTexture, width, height }: RenderTarget, type:
   return textures[0].format !== RGFormat && (depthTexture.compareFunction !== null) === (type !== BasicShadowMap);
 }
 
-/** Makes a shadow map of one texel, which the caller clears so that nothing casts a shadow. */
+/** Makes a shadow map of one texel; the caller clears it to a depth at which nothing is in shadow. */
 function makeMap(type: number, reversed: boolean): WebGLRenderTarget {
   const moments = type === VSMShadowMap;
   const depthTexture = new DepthTexture(1, 1, UnsignedIntType);

@@ -42,7 +42,7 @@ export class RegionDrawer implements MeshDrawer {
     try {
       this.drawMesh(mesh, material);
     } finally {
-      // meshes of other renderers share this geometry
+      // restored, since meshes of other renderers share this geometry
       drawRange.count = count;
     }
   }

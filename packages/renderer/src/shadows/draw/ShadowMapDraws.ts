@@ -72,7 +72,7 @@ export class ShadowMapDraws {
 
   /**
    * Begins a frame.
-   * @param bothSides - draws the sides of casters that pictures show, as three does for variance shadow maps
+   * @param bothSides - whether to draw the sides of casters that pictures show, as three does for variance shadow maps
    */
   begin(casters: ShadowCasters, camera: Camera, bothSides: boolean): void {
     this.casters = casters;
@@ -116,7 +116,7 @@ export class ShadowMapDraws {
       const goesOn = map.isThere && since === frame - 1;
       return goesOn && slot.shadow.autoUpdate && this.findParts(slot);
     }
-    // a partial map is completed after some frames without change; `record` spreads maps over frames
+    // a partial map is completed after some frames without change; the number differs by record, which spreads the draws
     if (!map.isPartial || (mayDraw && frame - since > REST + (slot.record & 7))) return false;
     return this.findParts(slot) && slot.faces.every(isCovered);
   }

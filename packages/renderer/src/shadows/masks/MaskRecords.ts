@@ -51,7 +51,7 @@ export class MaskRecords {
     this.shaders.need(maskFeaturesOf(slot, type));
   }
 
-  /** Gives the lights of `addLayered` their mask records, after all others, and adapts shaders to all masks. */
+  /** Gives the lights of `addLayered` records, after all other masks, and adapts shaders to all masks of the frame. */
   end(): void {
     for (const light of this.layered.keys()) {
       this.shaders.need(maskFeatures.unshadowed | maskLoopOf(light));

@@ -28,7 +28,7 @@ export class MaskShaders {
     this.neededFeatures |= features;
   }
 
-  /** Adapts shaders to the frame's masks, by `need` and these flags. */
+  /** Adapts shaders to the frame's masks: to features that `need` has added, and to whether there are masks and layers. */
   adapt(hasMasks: boolean, hasLayers: boolean): void {
     if (this.neededFeatures !== this.features) {
       this.features = this.neededFeatures;

@@ -34,7 +34,7 @@ vec3 farol_imageLevel(const in FarolImage image, const in vec2 uv, const in int 
   return textureLod(farol_lightAtlas, (vec2(corner) + texel) * farol_atlasTexel.y, 0.0).rgb;
 }
 
-// colour of an image; level: mipmap level by a texture's derivatives; filtering: see slots/imageFilter.ts
+// colour of an image; level: mipmap level that derivatives would give; filtering: see slots/imageFilter.ts
 vec3 farol_imageAt(const in FarolImage image, const in vec2 uv, const in float level, const in int filtering) {
   bool nearest = (filtering & 2) != 0;
   float magnified = (filtering & 15) == 6 || (filtering & 15) == 10 ? 0.5 : 0.0;
@@ -57,7 +57,7 @@ struct FarolQuad {
   vec2 above;
 };
 
-// place in a map of the pixel at an offset (pixels right and up) from a surface's; coord: place of the surface
+// place in a map of the pixel at an offset (pixels right and up) from the surface's pixel; coord: surface's place
 vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 pixels, const in vec2 pixelSpan,
   const in vec3 positionVS, const in vec3 normalVS) {
   vec3 shift = vec3(pixels * abs(pixelSpan), 0.0);
@@ -77,8 +77,8 @@ float farol_bendAt(const in float z, const in float next, const in float second,
 }
 
 // change of position to the next pixel of the G-buffer, on the side where the next two pixels lie on one line with
-// this one (the same triangle); if neither side does, towards the neighbour nearer in depth, and bend exceeds limit
-// (both m)
+// this one (the same triangle); where that is so on no side, the change is towards the neighbour nearer in depth, and
+// bend exceeds limit (both m)
 vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS, const in bool isPerspective,
   const in float limit, inout float bend) {
   ivec2 last = ivec2(farol_readSize) - 1;
@@ -97,7 +97,7 @@ vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS, const in 
 }
 
 // normal of the surface's plane in its pixel; for a G-buffer, from neighbouring pixels. Triangles of a pixel or two
-// have no neighbours of their own: there the surface's normal, unless they differ by more than 10 degrees
+// have no neighbours of their own: there the surface's normal, if the pixels' normal is within 10 degrees of it
 vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS, const in vec2 pixelSpan) {
   if (farol_readSize.x > 0.0 && farol_planeVS == vec3(0.0)) {
     bool isPerspective = pixelSpan.x > 0.0;
@@ -135,7 +135,7 @@ vec3 farol_imageOn(const in int record, const in FarolImage image, const in mat4
   float level = -1.0;
   vec2 along = vec2(0.0);
   int samples = 1;
-  // filter codes that do not differ between magnified and minified images
+  // codes 0 and 3: one filter for magnified and minified images, so that no level is needed
   if ((filtering & 255) != 0 && (filtering & 255) != 3) {
     FarolQuad quad = farol_quadOf(record, matrix, coord, positionVS, normalVS);
     vec2 right = quad.beside - quad.first;
@@ -162,7 +162,7 @@ vec3 farol_imageOn(const in int record, const in FarolImage image, const in mat4
   return sum / float(samples);
 }
 
-// Colour of a light's image at a surface; white outside of the image. For a cube, samples the face in that direction.
+// Colour of a light's image at a surface; white outside of the image. For a cube, by the face it shines through.
 // coord: coordinates in the light's map (homogeneous, 0..1); for a cube, from the light to the surface (world axes)
 // axes: from view space to world axes
 vec3 farol_cookieAt(const in int record, const in vec4 coord, const in bool isCube, const in mat3 axes,

@@ -24,7 +24,7 @@ vec3 farol_cubeFace(const in vec3 direction) {
   return vec3(vec2(-side.z * direction.x, direction.y) / size.z * 0.5 + 0.5, 4.5 - 0.5 * side.z);
 }
 
-// place in the atlas (texels); region: corner, side of a face without its border (texels); border: texels
+// place in the atlas (texels) of a point on a cube's face; region: corner, side of a face without border (texels)
 vec2 farol_cubeTexel(const in vec3 region, const in float border, const in vec3 face, const in bool nearest) {
   vec2 cell = vec2(mod(face.z, 3.0), floor(face.z / 3.0 + 0.01));
   vec2 texel = face.xy * region.z;
@@ -36,7 +36,7 @@ float farol_shadowTap(const in vec2 texel, const in float depth) {
   return textureLod(farol_shadowAtlas, vec3(texel * farol_atlasTexel.x, depth), 0.0);
 }
 
-// cosine and sine of the disk's rotation in this pixel
+// cosine and sine of the PCF disk's rotation in this pixel
 vec2 farol_diskTurn() {
 #ifdef FAROL_PER_VERTEX
   return vec2(1.0, 0.0);
@@ -61,7 +61,7 @@ struct FarolDisk {
   vec4 bounds; // least x, y and greatest x, y (0..1 in the atlas) that samples are clamped to
 };
 
-// without branches, so that other lighting is computed while samples are fetched
+// lit share of a disk's samples; without branches, so that other lighting is computed while samples are fetched
 float farol_diskShadow(const in FarolDisk disk) {
   float lit = 0.0;
   for (int i = 0; i < 5; i++) {
@@ -85,7 +85,7 @@ FarolDisk farol_mapDisk(const in vec4 region, const in vec3 coord, const in vec2
 }
 
 // region of the first cascade that contains coord, else of the whole shadow camera's map; transforms coord into it;
-// two regions a row
+// the regions lie two in a row of the atlas
 vec4 farol_cascadeRegion(const in int record, const in vec4 region, inout vec3 coord, const in int cascades) {
   int map = cascades;
 #ifdef FAROL_SHADOW_CASCADES
@@ -221,14 +221,14 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
   FarolDisk disk;
   if (farol_isCube(mask, isPoint)) {
 #ifdef FAROL_SHADOW_CUBES
-#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF shadow maps
     disk = farol_cubeDisk(mask.region, mask.border, coord.xyz, mask.filtering.xy, mask.filtering.z);
     float depth = disk.middle.z;
 #else
     float depth = mask.filtering.x + mask.filtering.y / max(max(abs(coord.x), abs(coord.y)), abs(coord.z));
 #endif
     inside = depth >= 0.0 && depth <= 1.0; // whether the surface is between the shadow camera's near and far planes
-#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
+#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic shadow maps
     if (mask.lookup == FAROL_LOOKUP_CUBE_BASIC)
       lit = farol_shadowTap(farol_cubeTexel(mask.region, mask.border, farol_cubeFace(coord.xyz), true), depth);
 #endif
@@ -240,20 +240,20 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
     vec2 extent = vec2(mask.region.z, 0.0); // height of the map (texels), number of its cascades
     if (mask.isExtended) extent = farol_maskHeightAndCascades(record);
     vec4 region = farol_cascadeRegion(record, vec4(mask.region, extent.x), across, int(extent.y));
-#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
+#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic shadow maps
     if (mask.lookup == FAROL_LOOKUP_BASIC)
       lit = farol_shadowTap(
         clamp(floor(region.xy + across.xy * region.zw) + 0.5, region.xy + 0.5, region.xy + region.zw - 0.5), across.z);
 #endif
-#if ( FAROL_SHADOW_LOOKUPS & 4 ) != 0 // variance
+#if ( FAROL_SHADOW_LOOKUPS & 4 ) != 0 // variance shadow maps
     if (mask.lookup == FAROL_LOOKUP_VARIANCE) lit = farol_varianceShadow(region, across, mask.filtering.y);
 #endif
-#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF shadow maps
     disk = farol_mapDisk(region, across, mask.filtering.yz);
 #endif
 #endif
   }
-#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF shadow maps
 #if FAROL_SHADOW_LOOKUPS != 2
   if (mask.lookup == FAROL_LOOKUP_PCF || mask.lookup == FAROL_LOOKUP_CUBE_PCF)
 #endif
@@ -264,7 +264,7 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
 
 #ifdef FAROL_SOFT_SHADOWS
 const int FAROL_SEARCHES = 16; // number of directions in which blockers are searched
-const int FAROL_HALVINGS = 4; // halvings of the distance to the surface in a search for a blocker
+const int FAROL_HALVINGS = 4; // number of halvings of the distance to the surface in a search for a blocker
 const int FAROL_SOFT_TAPS = 20;
 
 // 0 if the map has a blocker between the light and a place (m, relative to the light), else 1
@@ -294,9 +294,9 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
   float size = mask.filtering.z / away; // size of the light over its distance from the surface
   vec2 turn = FAROL_TURN;
   float blockers = 0.0;
-  float distances = 0.0; // distance of blockers, as parts of the distance to the surface
+  float distances = 0.0; // sum of the blockers' distances, as parts of the distance to the surface
   for (int i = 0; i < FAROL_SEARCHES; i++) {
-    // more directions near the middle, where blockers near the surface are
+    // more directions near the disk's middle, where blockers near the surface are
     float part = (float(i) + 0.5) / float(FAROL_SEARCHES);
     vec2 at = farol_spiral(i, turn) * (part * min(2.0 * size, 1.0));
     vec3 direction = forward + at.x * right + at.y * up;

@@ -38,8 +38,7 @@ const defines: Record<Exclude<keyof typeof maskFeatures, 'basic' | 'pcf' | 'vari
 };
 
 /**
- * Feature bit of the loop in shading.glsl that shades a kind of light, so that only this loop reads shadows and
- * cookies.
+ * Feature bit of the loop in shading.glsl that shades a kind of light: only loops whose bit is set read shadows and cookies.
  */
 export function maskLoopOf(light: Light): number {
   const kind = classifyLight(light);
@@ -58,22 +57,21 @@ export function maskFeaturesOf(
   // the shaders of area lights sample masks themselves, not in the loops of `maskLoopOf`
   if (softSizeOf(light) > 0) return maskFeatures.cubes | maskFeatures.soft | (hasShadow ? 0 : maskFeatures.unshadowed);
   let features = maskLoopOf(light);
-  // a point light that moved since its map was drawn needs the code of other lights
+  // a point light that moved since its map was drawn is shaded in the loop of other lights with a range
   if (hasLeftMap) features |= maskFeatures.bounded;
   if (profile !== null) features |= maskFeatures.profiles;
   if (!hasShadow && cookie === null) return features | maskFeatures.unshadowed;
   features |= isCube ? maskFeatures.cubes : maskFeatures.maps;
   if (cascades > 0) features |= maskFeatures.cascades;
   if (cookie !== null) features |= maskFeatures.cookies;
-  // needed together with the code for copies: cookies are copied once lights project more textures than samplers are
-  // left
+  // samplers are needed besides the code for copies: only what lights project beyond the number of samplers is copied
   if (cookie !== null && !cookie.isCube) features |= maskFeatures.images;
   if (!hasShadow) return features | maskFeatures.unshadowed;
   if (type === VSMShadowMap) return features | maskFeatures.variance;
   return features | (type === BasicShadowMap ? maskFeatures.basic : maskFeatures.pcf);
 }
 
-/** Text of the chunk `maskFeatures` for the given features only, since code of others would slow shaders down. */
+/** Text of the chunk `maskFeatures` for the given features only, since code for unused ones would slow shaders down. */
 export function maskFeaturesChunk(features: number): string {
   const lines = ['// Shadow maps, cookies and profiles that shaders have code for: those used so far.', '// Farol'];
   const { basic, pcf, variance } = maskFeatures;

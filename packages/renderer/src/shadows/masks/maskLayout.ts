@@ -55,7 +55,7 @@ export const maskRecord = {
     heightAndCascades: 'xy',
     /** Whether `ShadowBounds` has depth bounds for the map. */
     hasBounds: ['bool', 't.z != 0.0'],
-    /** Sampling of the cookie's copy, see `imageFilter`; below 0: the texture itself, by sampler -1 - this. */
+    /** Sampling of the cookie's copy, see `imageFilter`; if negative, the texture itself, by sampler -1 - cookieFilter. */
     cookieFilter: ['int', 'int(t.w)'],
   },
   /** Region of the photometric profile in the atlas: corner, size (texels). */

@@ -37,7 +37,7 @@ export class VisibleReceivers {
   /** Boxes along the world's axes: centre and half sizes (m), 6 numbers each. */
   private boxes = new Float64Array(6 * 256);
   private used = 0;
-  /** Groups of boxes that lie close together, and groups of those groups, one an object; see `GROUP`. */
+  /** Groups of boxes that lie close together, and groups of those groups, one for each object; see `GROUP`. */
   private groups = new Float64Array(GROUP * 64);
   private groupsUsed = 0;
   private objects = new Float64Array(GROUP * 64);
@@ -247,7 +247,7 @@ function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   return true;
 }
 
-/** Widens the visible parts to hold the part of a box within reach. @returns whether they were widened */
+/** Widens the visible parts to hold the part of a box within range. @returns whether they were widened */
 function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): boolean {
   let widens = false;
   if (isCube) {

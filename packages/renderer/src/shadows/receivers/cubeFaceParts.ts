@@ -65,7 +65,7 @@ export function cubeFaceParts(
     const nearest = -minimum(minimum(ends[face ^ 1], -aside), -1e-6 * farthest);
     if (nearest > farthest) continue;
     const first = face * 4;
-    // ends short of the face's middle are tested at the greatest distance, others at the least; testing both saves a branch
+    // ends below 0, short of the face's middle, count at the greatest distance, others at the least: both save a branch
     const isWithin =
       +(left <= parts[first] * nearest) &
       +(left <= parts[first] * farthest) &

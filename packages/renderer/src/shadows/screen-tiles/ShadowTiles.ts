@@ -48,7 +48,7 @@ export class ShadowTiles {
     const mask = frame.uniforms as unknown as MaskUniforms;
     const { lights } = frame;
     const words = Math.min(MOST_WORDS, 2 * Math.ceil(lights.grid!.count / (2 * LIGHTS_PER_WORD)));
-    // depth is not linear over a surface where it is logarithmic, and too coarse here where positions need stored distances
+    // tests need depth that is linear over a flat surface, so not logarithmic, and fine enough to give positions
     const linear = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance && !frame.queue.reachesFar;
     const finds = this.bounded > 0 && lights.bounded > 0 && linear;
     mask.farol_tileShadows.value = this.marks.texture;

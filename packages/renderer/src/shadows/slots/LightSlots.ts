@@ -8,7 +8,7 @@ import type { ImageSamplers } from './ImageSamplers';
 import type { ShadowLight } from './ShadowLight';
 import { ShadowSlot } from './ShadowSlot';
 
-/** Number of frames for which the shadow map or cookie of an unlit light stays in its atlas. */
+/** Number of frames for which the shadow map or cookie of a light that no frame uses stays in its atlas. */
 const KEPT_FRAMES = 600;
 
 /** Releases atlas regions of shadow maps and cookies. */
@@ -78,7 +78,7 @@ export class LightSlots {
 
   /**
    * Adds a light that casts shadows, projects an image or has a profile.
-   * @param cascades - number of maps of a directional light, the whole one included; 1 for other lights
+   * @param cascades - number of maps of a directional light, its whole camera's included; 1 for other lights
    */
   add(
     light: ShadowLight,
@@ -97,7 +97,7 @@ export class LightSlots {
     slot.cookie = image === null ? null : this.copyOf(image, this.images);
     slot.profile = profile === null ? null : this.copyOf(profile, this.profiles);
     const { mask } = light.shadow.camera.layers;
-    // as in three: a shadow camera that has layer 0 alone draws the layers of the camera
+    // as in three: a shadow camera that has layer 0 alone draws the layers of the picture's camera
     slot.setLayers((mask & 0xfffffffe) !== 0 ? mask : this.layersSeen);
     this.lit.push(slot);
   }

@@ -54,7 +54,7 @@ export class ShadowFace {
     return this.partPlanes;
   }
 
-  /** Triangles to draw from a page of merged casters, for casters of one side (three's `Side`). */
+  /** Triangles to draw from a page of merged casters, for casters that are drawn with one `Side` of three's. */
   runs(page: number, side: number): TriangleRuns {
     return (this.merged[page * 3 + side] ??= new TriangleRuns());
   }

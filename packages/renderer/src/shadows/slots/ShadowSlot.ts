@@ -69,13 +69,13 @@ export class ShadowSlot implements AtlasTenant {
   readonly placement = new AtlasPlacement();
   /** State of the shadow map in its region of the atlas. */
   readonly map = new AtlasMap();
-  /** Halvings of the map whose detail pictures would not show; set by `chooseDetail` and the atlas. */
+  /** Number of halvings of the map because pictures would show no more detail; set by `chooseDetail` and the atlas. */
   readonly detail = new MapDetail();
 
   // fields below: set in each frame, when slots are collected
-  /** The scene in which the light was last lit. */
+  /** The scene of the last frame that used the light. */
   root: Object3D | null = null;
-  /** Last frame in which the light was lit. */
+  /** Number of the last frame that used the light. */
   lastLit = 0;
   /** Share of the picture that the light covers, 0 to 1. */
   coverage = 1;
@@ -102,7 +102,7 @@ export class ShadowSlot implements AtlasTenant {
 
   /** Proxy of the light's shadow object: inherits its settings, receives three's changes. */
   private readonly shadowProxy: PrivateLightShadow;
-  /** Proxy of the light without a range: three would use an infinite range as the camera's far plane. */
+  /** Proxy of the light whose `distance` is 0: three would use an infinite distance as the camera's far plane. */
   private readonly endless: ShadowLight;
   /** The light's own shadow camera, at the position that three would set. */
   private placedCamera: Camera | null = null;
@@ -111,7 +111,7 @@ export class ShadowSlot implements AtlasTenant {
   /** Radius (texels) and samples of the blur at the last `follow`. */
   private readonly blur = new Float64Array(2);
 
-  /** @param cascades - number of maps of a directional light, the whole one included */
+  /** @param cascades - number of a directional light's maps, that of its whole shadow camera included */
   constructor(
     readonly light: ShadowLight,
     cascades = 1,
@@ -122,7 +122,7 @@ export class ShadowSlot implements AtlasTenant {
     this.shadowProxy = standInOf(shadow, Object.prototype);
     this.endless = Object.defineProperty(standInOf(light, Object3D.prototype), 'distance', { value: 0 });
     const camera = shadow.camera.clone();
-    // three calls this with the first map, so the host may not have
+    // three calls this before it draws the first map, so the host may not have called it
     (camera as unknown as ShadowCamera).updateProjectionMatrix();
     this.define('camera', camera);
     this.define('matrix', this.matrix);
@@ -158,7 +158,7 @@ export class ShadowSlot implements AtlasTenant {
   }
 
   /**
-   * Updates cameras by the light and its settings; marks the map as stale if that changes what it shows.
+   * Updates cameras by the light and its settings; marks the map as stale if it then shows something else.
    * @param camera - camera of the picture
    * @param blurs - whether the map is blurred after its draw, as variance shadow maps are. Default false
    */
@@ -191,7 +191,7 @@ export class ShadowSlot implements AtlasTenant {
   reaches(x: number, y: number, z: number, radius: number): boolean {
     if (radius === Infinity) return true;
     if (!this.isCube) return this.faces.some(({ planes }) => !sphereOutsidePlanes(planes, x, y, z, radius));
-    // limited by the range; without one, by the corners of the cube of far planes
+    // the map reaches as far as the range; without a range, to the corners of the cube of far planes
     const e = this.matrix.elements;
     const reach = radius + this.far * (this.range < Infinity ? 1 : Math.sqrt(3));
     const dx = x + e[12];

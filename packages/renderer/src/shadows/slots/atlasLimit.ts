@@ -20,7 +20,7 @@ type Asking = Pick<ShadowSlot, 'range' | 'isCube' | 'side' | 'wantedWidth' | 'wa
 
 /**
  * Greatest side (texels) of the atlas of shadow maps for a picture: beyond it, the maps of lights that cover least of the
- * picture are halved. The maps of lights without a range come on top.
+ * picture are halved. The maps of lights without a range raise the limit by their size.
  */
 export function atlasLimit({ width, height }: PictureSize, slots: readonly Asking[]): number {
   let texels = TEXELS_PER_PIXEL * Math.max(LEAST_PIXELS, width * height);

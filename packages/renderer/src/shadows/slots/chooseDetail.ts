@@ -10,7 +10,7 @@ import { sufficientDetail } from './sufficientDetail';
 const MOST_GROWN = 4;
 
 /**
- * Chooses the level of detail of the lit lights' maps. A map too coarse for a camera grows at once; one too fine shrinks after a
+ * Chooses the level of detail of the frame's maps. A map too coarse for a camera grows at once; one too fine shrinks after a
  * while, and only when it is redrawn anyway, so that cameras that move to and fro or alternate cause no redraws.
  * @param picture - size (pixels)
  * @param isFull - whether the atlas is full: it then revises all sizes by itself from time to time
@@ -22,7 +22,7 @@ export function chooseDetail(
   { autoUpdate, type }: WebGLShadowMap,
   isFull: boolean,
 ): void {
-  // not for variance shadow maps, whose blur is in texels, nor basic ones, which show each texel
+  // variance shadow maps, whose blur is in texels, and basic ones, which show each texel, keep their size
   const isFiltered = type !== VSMShadowMap && type !== BasicShadowMap;
   let grown = 0;
   for (const slot of slots) {

@@ -1,5 +1,5 @@
 /**
- * Space that a light's map covers, as an array, since fractional arguments may be allocated.
+ * Space that a light's map covers, as an array, since engines may allocate fractional arguments on the heap.
  *
  * | index | holds |
  * |---|---|

@@ -31,7 +31,7 @@ interface Projected {
 
 /**
  * Number of times that a light's map can be halved before its texels exceed `PIXELS` where the light matters, in eighths
- * (integers, since fractional values may be allocated).
+ * (integers, since engines may allocate fractional values).
  * @param picture - size (pixels)
  * @returns 0 for lights without a range, directional lights, and those near the camera
  */

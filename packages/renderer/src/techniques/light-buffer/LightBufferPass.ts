@@ -46,7 +46,7 @@ export class LightBufferPass implements Pass, LightBuffer {
     }
     const target = this.target.of(source.target.viewport.z, source.target.viewport.w);
     frame.bind(target);
-    frame.clear(attachments, frame.view === 'overdraw'); // depth is cleared only where no copy of the thin G-buffer's overwrites it
+    frame.clear(attachments, frame.view === 'overdraw'); // no depth is cleared where the thin G-buffer's is copied in
     if (frame.view === 'overdraw') countSurfaces(frame, source);
     frame.copyDepth(source.target, target);
     setThinGBufferUniforms(this.surfaces, source, frame);

@@ -122,7 +122,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     const height = gridTexels(frame.height, scale);
     this.scaleUniform.value = scale;
     gridFit(frame.width, frame.height, scale, this.fit);
-    // attachments for distances or normals are kept once made: cameras that need and do not need them may alternate
+    // attachments for distances or normals are kept once made: the next camera may need them again
     const before = this.made?.textures[1]?.format;
     const normals = before === RGBAFormat || needsVertexNormals(frame);
     const format = normals ? RGBAFormat : frame.storesDistance ? RGFormat : undefined;

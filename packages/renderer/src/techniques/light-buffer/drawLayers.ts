@@ -7,11 +7,11 @@ import type { RenderItem } from '../../frame/RenderItem';
 import { objectNumber, stippleCorner } from './objectNumbers';
 
 /**
- * Draws the layers of a transparent item, one or, as three does with a double-sided one, back faces then front faces, each with
- * its own object number and corner of the stipple.
+ * Draws a transparent item as one layer, or, as three does with a double-sided one, as two: back faces, then front faces. Each
+ * layer has an object number and a corner of the stipple of its own.
  * @param opaque - number of opaque items, which have the first object numbers
- * @param layer - number of the frame's layers drawn before
- * @returns that number with this item's layers added
+ * @param layer - number of layers that the frame has drawn before
+ * @returns number of layers drawn with this item's included
  */
 export function drawLayers(frame: Frame, item: RenderItem, twins: ForwardTwins, opaque: number, layer: number): number {
   const { material } = item;

@@ -12,9 +12,9 @@ type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughne
 
 /**
  * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical with
- * iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection), an
- * anisotropic one, rough diffuse reflection and toon shading need each light by itself; so does a specular intensity below 1
- * where shaders have area lights, since both need the sum `rest`, and surfaces too glossy for the frame's lights.
+ * iridescence, any index of refraction and any specular colour. False where each light must be shaded by itself: for a second
+ * lobe (clearcoat, sheen, retroreflection), an anisotropic one, rough diffuse reflection and toon shading; for a specular
+ * intensity below 1 where shaders have area lights, since both need the sum `rest`, and if too glossy for the lights.
  * @param knowsAreas - whether shaders have code for area lights. Default false
  * @param lights - kinds of lights in the frame. Default none
  */

@@ -10,7 +10,7 @@ uniform highp sampler2D farol_sums2;
 uniform highp sampler2D farol_sums3;
 #endif
 uniform highp vec2 farol_size; // size of the light buffer (texels)
-uniform highp vec4 farol_lightGrid; // xy: light buffer texels a pixel; zw: offset of the picture (pixels)
+uniform highp vec4 farol_lightGrid; // xy: light buffer texels per pixel; zw: offset of the picture (pixels)
 
 struct FarolReader {
   vec3 positionVS;
@@ -19,7 +19,7 @@ struct FarolReader {
   vec2 size; // size of the light buffer (texels)
   float reach; // largest distance of an agreeing texel from the tangent plane (m): two texels' width at that depth
   int stride; // 2 for a stippled layer: every second texel
-  ivec2 corner; // corner of the stipple
+  ivec2 corner; // the layer's texel in each 2 × 2, or 0
   ivec2 last; // last texel in steps of the stride
   vec4 sums0;
   vec4 sums1;

@@ -1,7 +1,7 @@
 import { beforeLastBrace } from '../../three/beforeLastBrace';
 import type { TwinKind } from '../../materials/TwinKind';
 
-/** Last of the 16 vertex attributes that WebGL 2 guarantees; three's own materials need fewer. */
+/** Location of the last of the 16 vertex attributes that WebGL 2 guarantees; three's own materials need fewer. */
 const LOCATION = 15;
 
 const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_objectAttribute;\nvarying highp vec2 farol_object;\n`;

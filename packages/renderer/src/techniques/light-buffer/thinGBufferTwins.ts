@@ -28,7 +28,7 @@ function byPixels(text: string): string {
 const FIT = 'gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;';
 
 /**
- * @param scale - side of the buffer over the picture's
+ * @param scale - side of the buffer divided by that of the picture
  * @param fit - transform of `gridFit`, from the picture's normalised device coordinates to the buffer's
  */
 export function thinGBufferTwins(scale: IUniform<number>, fit: IUniform<Vector4>): ThinGBufferTwins {

@@ -52,7 +52,7 @@ export class LightGridPass implements Pass {
     sizes[1] = grid.tilesY;
     sizes[2] = bounded > 0 ? grid.deepWords : 0;
     sizes[3] = firstBounded;
-    // an integer's bits, passed as a float, since its value would be rounded
+    // the bits of an integer, passed as a float, which could not hold its value exactly
     bits[0] = grid.depthStart;
     const depth = uniforms.farol_gridDepth.value;
     depth[0] = grid.depthShift;

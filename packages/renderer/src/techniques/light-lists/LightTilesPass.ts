@@ -13,8 +13,8 @@ import { textureHandle } from '../../three/handles';
 
 const LIGHTS_PER_QUAD = 128;
 /**
- * Share of its range in which quality 'lite' lists a plain point light: beyond, inverse-square light is at most 1.1% of that at
- * half of the range.
+ * Share of its range in which quality 'lite' lists a plain point light: farther away its light is at most 1.1% of that at half
+ * of the range.
  */
 const LITE_REACH = 0.95;
 /** Side of the blocks whose depths are bounded first (pixels). */

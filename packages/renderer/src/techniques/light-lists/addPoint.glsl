@@ -1,5 +1,5 @@
 // Adds a listed plain point light to the sums of a surface, as farol_addLight does, in fewer steps.
-// Farol; fetches the emission before the distance is computed, so that both overlap
+// Farol; fetches the emission before the distance is computed, so that the two overlap in time
 #include "shading"
 
 // physical: farol_isPhysical(s), evaluated once before the loop; lights of other kinds are skipped

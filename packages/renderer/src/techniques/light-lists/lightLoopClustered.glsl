@@ -5,7 +5,7 @@
 #include "shadePlain"
 #include "lightTiles"
 #include "viewport"
-uniform highp usampler2D farol_gridMasks; // one bit for each light, 128 a texel; a row of texels a row of tiles
+uniform highp usampler2D farol_gridMasks; // one bit a light, 128 in a texel; a row of texels for each row of tiles
 uniform highp usampler2D farol_gridBins; // ranks of the lights in each bin of depth: first | last << 16
 // x: log2 of a tile's side (pixels); y: tiles in y; z: words of 32 lights that reach every depth; w: first record
 uniform highp ivec4 farol_grid;
@@ -31,7 +31,7 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 // per tile of 8 × 8 pixels, a texel for each two words (32 lights each): bits of lights whose shadow maps leave the
 // whole tile lit, then of lights that are wholly shadowed there; both bits: a point light that lights all of the tile
 uniform highp usampler2D farol_tileShadows;
-uniform highp int farol_tileShadowWords; // words of farol_tileShadows for each tile; 0 while there are none
+uniform highp int farol_tileShadowWords; // number of words of farol_tileShadows for each tile; 0 while there are none
 
 uvec2 farol_tileMarks(const in int word) {
   if (word >= farol_tileShadowWords) return uvec2(0u);
@@ -60,8 +60,8 @@ uvec2 farol_tileMarks(const in int word) {
 #define FAROL_FOR_EACH_LISTED(positionVS) FAROL_FOR_EACH_UNMARKED(positionVS, false)
 #define FAROL_END_LISTED }}
 
-// lists without plain lights occur only with masked or area lights; else the test costs more than it saves (0.3 ms
-// in docs/attempts/shadow-lookups.md: "no loop over plain lights where there are none")
+// tests only if there are masked or area lights, since other lists have plain ones: the test costs time (0.3 ms in
+// docs/attempts/shadow-lookups.md: "no loop over plain lights where there are none")
 bool farol_mayHavePlain() {
 #if defined( FAROL_HAS_MASKS ) || defined( FAROL_AREA_LIGHTS )
   return FAROL_PLAIN_LIGHTS > 0;

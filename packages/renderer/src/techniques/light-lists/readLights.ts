@@ -41,7 +41,7 @@ function readPoints(parent: Object3D, first: number, mask: number, found: FoundL
     const { elements: local } = matrix;
     const { elements: world } = matrixWorld;
     if (all[count] === light && isTurnedAs(light, poses, count * POINT, local[10], world[10])) {
-      // only the position: writing other elements would wait for more cache lines
+      // writes only the position: other elements would wait for more cache lines
       local[12] = world[12] = x;
       local[13] = world[13] = y;
       local[14] = world[14] = z;
@@ -88,7 +88,7 @@ function isTurnedAs({ quaternion, scale }: PointLight, poses: Float64Array, at: 
 }
 
 function keepPose({ quaternion, scale, matrix }: PointLight, poses: Float64Array, at: number): void {
-  // typed arrays are arrays to three
+  // three writes to typed arrays as to arrays
   quaternion.toArray(poses as ArrayLike<number> as number[], at);
   scale.toArray(poses as ArrayLike<number> as number[], at + 4);
   poses[at + 7] = matrix.elements[10];

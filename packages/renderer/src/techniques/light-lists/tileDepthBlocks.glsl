@@ -41,7 +41,7 @@ if (farthest - nearest > 0.02 * (farol_depthMode.x > 0.0 ? -farthest : 1.0 - far
       }
     }
   }
-  // stored one step narrower, so that rounding never widens the gap
+  // the gap is stored one step narrower, so that rounding never widens it
   vec2 parts = (ends - nearest) * (65535.0 / max(farthest - nearest, 1e-30));
   uvec2 narrowed = uvec2(clamp(vec2(ceil(parts.x) + 1.0, floor(parts.y) - 1.0), 0.0, 65535.0));
   gap = narrowed.x | narrowed.y << 16;

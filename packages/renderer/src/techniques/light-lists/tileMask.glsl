@@ -21,7 +21,7 @@ struct FarolTile {
   vec3 low[2];
   vec3 high[2];
   uint slices;
-  float beyond; // distance (m) from which on depth may lack surfaces
+  float beyond; // distance (m) from which on depth may not show surfaces
 };
 
 // corners of the box around a tile's frustum between two distances (view space, m)

@@ -3,7 +3,7 @@
 #include "lightTable"
 #include "lightVolumeWide"
 uniform highp int farol_firstRecord;
-uniform highp vec4 farol_fit; // from the picture's normalised device coordinates to the buffer's: xy scale, zw shift
+uniform highp vec4 farol_fit; // xy: scale, zw: shift from the picture's to the buffer's normalised device coordinates
 flat out highp int farol_record;
 //# main
 const int SEGMENTS = 12;

@@ -26,6 +26,6 @@ float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
 vec4 farol_wholePicture() {
   if (gl_VertexID > 2) return vec4(0.0, 0.0, 0.0, 1.0);
   vec2 corner = vec2(gl_VertexID == 2 ? 3.0 : -1.0, gl_VertexID == 1 ? 3.0 : -1.0);
-  if (projectionMatrix[0][0] * projectionMatrix[1][1] < 0.0) corner = corner.yx; // mirrored: turns it back
+  if (projectionMatrix[0][0] * projectionMatrix[1][1] < 0.0) corner = corner.yx; // if mirrored, turns the triangle back
   return vec4(corner, farol_depthMode.x > 0.0 ? 0.0 : 1.0, 1.0);
 }

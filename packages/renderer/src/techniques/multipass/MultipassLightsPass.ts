@@ -65,7 +65,7 @@ export class MultipassLightsPass implements Pass {
   render(frame: Frame): void {
     this.fogged = frame.target !== null && !isDrawnAsCanvas(frame.target);
     this.items.length = 0;
-    // an enclosing frame's value, if a callback draws this frame
+    // kept for an enclosing frame, one of whose callbacks may draw this frame
     const mark = lightMark.value;
     try {
       this.prepareTarget(frame);
@@ -95,7 +95,7 @@ export class MultipassLightsPass implements Pass {
     // by index: an iterator would allocate until the engine compiles the loop
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
-      // not for lines: where segments meet, one would show ambient light and another the added lights
+      // skips lines: where segments meet, one would show ambient light and another the added lights
       if (item.route !== 'split' || 'isLine' in item.object || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
@@ -123,7 +123,7 @@ export class MultipassLightsPass implements Pass {
    */
   private firstLight(frame: Frame): number {
     const { lights, view } = frame;
-    if (view !== 'final' && view !== 'grid') return -1; // other views show the lights alone
+    if (view !== 'final' && view !== 'grid') return -1; // other views show no ambient light
     if (lights.directional + lights.unbounded > 0) return 0;
     let first = -1;
     let largest = FIRST_SHARE * frame.width * frame.height;
@@ -149,7 +149,7 @@ export class MultipassLightsPass implements Pass {
     offset.set(frame.viewport.x, frame.viewport.y);
   }
 
-  /** Whether three would tone map, fog and dither the material as the output pass does all pixels. */
+  /** Whether three would tone map, fog and dither the material as the output pass treats all pixels. */
   private sums(material: Material, frame: Frame): boolean {
     if (frame.hasMedia && (material as Material & { fog?: boolean }).fog === false) return false;
     if (this.fogged) return true;
@@ -196,7 +196,7 @@ export class MultipassLightsPass implements Pass {
       const item = this.items[i];
       if (this.compiled.get(item.object) === item.material) continue;
       this.compiled.set(item.object, item.material);
-      // not where a host's callback may change the target and so the scissor: the light would be added twice
+      // skips items whose callback may change the target and so the scissor: the light would be added twice
       if (item.object.onBeforeRender !== onBeforeRender) continue;
       if (!scissored) {
         setScissor(webgl, scissor.set(0, 0, 0, 0));

@@ -66,7 +66,7 @@ const ADDITIVE = {
   },
 } as const;
 
-/** With MixOperation the environment map is added to scaled light; a light's own pass must only scale. */
+/** MixOperation scales light and adds the environment map; a draw that adds one light must only scale that light. */
 const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) && defined( ENVMAP_BLENDING_MIX )
   outgoingLight *= 1.0 - specularStrength * reflectivity;
 #elif !defined( USE_ENVMAP ) || !defined( ENVMAP_BLENDING_ADD )
@@ -74,7 +74,7 @@ const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) &&
 #endif`;
 
 function onlyThisLight(text: string): string {
-  // fog only fades this light; the base pass has added the fog's colour
+  // fog only fades this light; the first pass has added the fog's colour
   const fog = replacePart(ShaderChunk.fog_fragment, 'fogColor', 'vec3(0.0)');
   let own = replaceChunk(text, 'lights_fragment_end', () => 'totalEmissiveRadiance = vec3(0.0);');
   // MeshToonMaterial has no environment map

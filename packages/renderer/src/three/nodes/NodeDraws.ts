@@ -49,7 +49,7 @@ export class NodeDraws {
     this.hasMaps = false;
   }
 
-  /** Draws an item into the bound target; the first plain opaque one draws all of them, and marks them as drawn. */
+  /** Draws an item into the bound target; the first opaque one of route 'plain' draws all of these, and marks them drawn. */
   draw({ webgl, scene, camera, queue }: DrawnFrame, item: NodeItem): void {
     this.current = this.viewOf(webgl, scene);
     const plain = item.route === 'plain';

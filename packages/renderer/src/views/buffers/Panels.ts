@@ -4,7 +4,7 @@ import type { ViewTile } from '../../frame/ViewInfo';
 import { setViewport } from '../../three/state';
 import type { ShownView } from './BufferView';
 
-/** Parts of a view, drawn one by one. Tiles are reused from frame to frame. */
+/** Panels in which a view draws its parts one by one; their `ViewTile` objects are reused from frame to frame. */
 export class Panels {
   readonly tiles: ViewTile[] = [];
   /** Rectangle of the panel to draw (pixels of the target). */

@@ -57,7 +57,7 @@ export class GltfMaterials {
   convert(drawn: Material, use: MaterialUse): Promise<Material> {
     const { surface } = drawn.userData;
     if (typeof surface === 'string') for (const name of surface.split(', ')) this.leftOut.addSurface(name, use.object);
-    // for a material with an object's surface on top, the maps are in the original
+    // a material derived for an object's surface is converted as its original, which has the maps
     const source = sourceOfMaterial(drawn);
     const key = `${source.uuid} ${use.hasUV} ${use.hasTangents}`;
     let made = this.made.get(key);
@@ -89,7 +89,7 @@ export class GltfMaterials {
       else this.leftOut.add(t('Textures on meshes without texture coordinates are left out'), value);
     }
     if (material instanceof MeshStandardMaterial && use.hasUV) {
-      // the signs have been applied to the images
+      // the signs of normal scales have been applied to the images, by inverting channels
       for (const name of Object.values(normalScales)) {
         const scale = (material as MeshPhysicalMaterial)[name] as Vector2 | undefined;
         scale?.setScalar(Math.abs(scale.x));
@@ -101,7 +101,7 @@ export class GltfMaterials {
   private texture(source: Material, field: string, texture: Texture, use: MaterialUse): Promise<Texture> {
     if (!(field in normalScales)) return this.textures.convert(texture, use.user);
     const { x, y } = (source as MeshPhysicalMaterial)[normalScales[field]];
-    // without tangents three expects green along v, and glTF against it
+    // without tangents three expects green to point along v, and glTF opposite to v
     return this.textures.convertNormalMap(texture, x < 0, use.hasTangents ? y < 0 : y > 0, use.user);
   }
 

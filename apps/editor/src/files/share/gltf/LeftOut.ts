@@ -1,6 +1,6 @@
 import { formatCount, t } from '@farol/editing';
 
-/** Number of object names in each line. */
+/** Maximum number of object names that are listed for each kind of loss. */
 const MOST_NAMES = 3;
 
 /** Counts by kind what a glTF file lacks. */
@@ -22,7 +22,7 @@ export class LeftOut {
     else this.names.set(kind, new Set([name]));
   }
 
-  /** Adds a surface made of microshaders. @param object - name of the object */
+  /** Counts a surface (GLSL on a material) that is left out. @param object - name of the object */
   addSurface(surface: string, object: string): void {
     this.add(t('The surface {surface} is left out', { surface }), object, object);
   }

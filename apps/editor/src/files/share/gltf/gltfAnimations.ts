@@ -75,7 +75,7 @@ export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: Left
 const drawnBelow = (root: GameObject, clip: ModelClip): ModelInScene[] =>
   modelsBelow(root, clip.model).filter(({ drawnModel }) => drawnModel === clip.model);
 
-/** The model's own tracks, for the exported nodes. */
+/** The tracks of a model's own clip, made to animate the exported nodes. */
 function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, leftOut: LeftOut): KeyframeTrack[] {
   const drawn = drawnBelow(root, clip);
   const isWhole = drawn.some(({ partsRoot }) => partsRoot === null);
@@ -86,7 +86,7 @@ function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, le
     const sources: (GameObject | Object3D | null | undefined)[] = [];
     if (target && !isMorph) sources.push(objects?.get(target.node.name || target.node.type));
     for (const each of drawn) {
-      // the object takes the place of the root of its parts
+      // the root of a ModelRenderer's parts is not copied: its GameObject stands for that node
       if (target && (isMorph || each.partsRoot !== target.node)) sources.push(each.copyOf(target.node));
     }
     const moved = sources

@@ -19,12 +19,12 @@ function left(light: Light, distance: number): number {
   return distance ** -light.decay;
 }
 
-/** Intensity factor with which a light of inverse-square falloff is equally bright half way to its end. */
+/** Intensity factor with which a light of inverse-square falloff is as bright as `light` half way to its range. */
 function asBright(light: Light): number {
   const hasPlace = light.type === 'point' || light.type === 'spot';
   if (!hasPlace || (light.attenuation === 'physical' && light.decay === 2)) return 1;
   const half = (Number.isFinite(light.reach) ? light.reach : 2) / 2;
-  // with an end, three and glTF multiply by (1 - (d / end)^4)^2: at half way (1 - 0.5^4)^2
+  // with a range, three and glTF multiply by (1 - (d / range)^4)^2: half way, by (1 - 0.5^4)^2
   const end = light.attenuation !== 'physical' && Number.isFinite(light.reach) ? (1 - 0.5 ** 4) ** 2 : 1;
   return (left(light, half) * half ** 2) / end;
 }
@@ -84,7 +84,7 @@ export function gltfProfileLight(
   // three's point lights with profiles point along -y
   if (source instanceof PointLight) node.rotation.x = -Math.PI / 2;
   const { distance, color } = source;
-  // stored in extras, since programs without ranges ignore the end
+  // the range is stored in extras, since EXT_lights_ies has none
   const end = distance > 0 && { intensity: source.intensity, color: color.toArray(), distance, decay: 2 };
   const extras = source instanceof PointLight && (lightExtrasOf(source, largest > 1) ?? end);
   if (extras) node.userData.farolLight = extras;
@@ -93,7 +93,7 @@ export function gltfProfileLight(
 
 /**
  * Converts a light to glTF, with inverse-square falloff; null for ambient kinds. A light with another falloff keeps its
- * brightness half way to its end, and its real parameters in extras.
+ * brightness half way to its range, and its real parameters in extras.
  * @see KHR_lights_punctual
  */
 export function gltfLight(source: ThreeLight, light: Light | null): ThreeLight | null {

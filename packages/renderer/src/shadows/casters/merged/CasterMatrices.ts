@@ -1,6 +1,6 @@
 import type { Matrix4, Vector3, WebGLRenderer } from 'three';
 
-/** Floats of a matrix in the block: three rows of four. */
+/** Number of floats of a matrix in the block: three rows of four. */
 const FLOATS = 12;
 /** Greatest number of matrices in a uniform block: 64 KiB, even if the device allows more. */
 const MOST = 1365;

@@ -38,14 +38,14 @@ import { isCompiled, programHandle } from '../../../three/handles';
 
 /** Number of scene traversals in which a caster must be unchanged before it is merged. */
 const SETTLED = 30;
-/** Maximum number of merged triangles: about 22 bytes each on the GPU, and as many in memory. */
+/** Maximum number of merged triangles: each takes about 22 bytes on the GPU, and as many in the CPU's memory. */
 const MOST_TRIANGLES = 2_000_000;
 /** Maximum number of triangles sorted in a frame while casters wait to be merged, so that no frame is late. */
 const BUDGET = 150_000;
 /** Number of triangles, or casters, removed from the scene before their room in the buffers is reclaimed. */
 const FEW_GONE = 65_536;
 const FEW_LOST = 256;
-/** Number of traversals between sweeps; a caster absent for as many is dropped. Frames without maps do not sweep. */
+/** Number of traversals between sweeps; a caster absent for more is dropped. Frames that draw no maps do not sweep. */
 const SWEEP = 256;
 /** Number of merged casters missing in a frame above which a sweep looks for those removed from the scene. */
 const FEW_ABSENT = 64;
@@ -53,7 +53,7 @@ const FEW_ABSENT = 64;
 const GRID = 128;
 
 const clipFromWorld = new Matrix4();
-const anyCamera = new PerspectiveCamera(); // argument of three's draw; places no casters
+const anyCamera = new PerspectiveCamera(); // argument of three's draw; has no effect on where casters are drawn
 /** Group without triangles: three binds program and buffers, and draws nothing. */
 const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
 /** Group with which three compiles the program, and makes no draw call. */
@@ -196,7 +196,7 @@ export class MergedCasters {
     caster.queuedVersion = -1;
   }
 
-  /** Adds the clusters that the drawn part of each face of a light's map may show to that face's runs. */
+  /** Adds to the runs of each face of a light's map the clusters that the drawn part of the face may show. */
   addTo(slot: ShadowSlot, bothSides: boolean): void {
     const { isCube, reach, layers, drawnFaces } = slot;
     const { present, presentBoxes: boxes } = this;

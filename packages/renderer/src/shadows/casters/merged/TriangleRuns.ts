@@ -12,7 +12,7 @@ export class TriangleRuns {
     this.count = 0;
   }
 
-  /** Adds a run. @param first - index of the run */
+  /** Adds a run of vertex indices. @param first - place of the run in the index buffer @param indices - their number */
   add(first: number, indices: number): void {
     const { starts, counts, count } = this;
     const start = first * BYTES_PER_INDEX;

@@ -24,7 +24,7 @@ type Clusters = Pick<MergedCaster, 'boxes' | 'groups' | 'first' | 'page'> & {
 };
 
 /**
- * Adds the clusters of a caster that each face of a cube map may show to that face's runs.
+ * Adds to the runs of each face of a cube map the clusters of a caster that the face may show.
  * @param side - side of the triangles that is drawn
  */
 export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Clusters, side: Side): void {
@@ -58,7 +58,7 @@ export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Cluster
 }
 
 /**
- * Adds the clusters of a group whose bits are set.
+ * Adds those clusters of a group whose bits are set in `clusters`.
  * @param start - first index of the group's first cluster
  * @param end - index after the group's last cluster
  */
@@ -80,10 +80,7 @@ function trailingZeros(bits: number): number {
   return 31 - Math.clz32(bits & -bits);
 }
 
-/**
- * Adds the clusters of a caster that the drawn part of each face may show to that face's runs, for maps other than
- * cubes.
- */
+/** Adds to the runs of each face the clusters of a caster that the face's drawn part may show, for maps other than cubes. */
 export function addMapRuns({ faces, reach }: Faces, merged: Clusters, side: Side): void {
   const { boxes, groups, first, page } = merged;
   const { length } = merged.geometry.index;

@@ -1,8 +1,8 @@
 // Corners of many casters' triangles, each moved by the matrix of its caster.
 // Farol
 layout(std140) uniform FarolCasters { vec4 farol_casterRows[FAROL_CASTERS * 3]; }; // three rows of each world matrix
-uniform mat4 farol_clipFromOrigin; // to clip space, from world axes with the origin of the casters' matrices
-in vec4 position; // xyz: local space of the caster (m); w: the caster's index
+uniform mat4 farol_clipFromOrigin; // transform to clip space from world axes with the origin of the casters' matrices
+in vec4 position; // xyz: position in the caster's local space (m); w: the caster's index
 //# main
 int farol_row = int(position.w) * 3;
 vec4 farol_corner = vec4(position.xyz, 1.0);
