@@ -13,7 +13,7 @@ const headings = { planes: 'N × N planes, M × M lights', sponza: 'Sponza (here
 /** Competitors comparable with the thesis's forward rendering; the first one uses the thesis's own algorithm. */
 const forwards = ['multipass', 'forward', 'forward-single-pass', 'stock'];
 
-/** Frame rates of the thesis beside a run's; null for CPU times, and for a run with fewer than three of its rows. */
+/** Frame rates of the thesis beside a run's; null for CPU times, or if the run has too few of the thesis's rows. */
 export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'): ChartSpec | null {
   // CPU time is that of the drawing call, from which no frame rate follows
   if (settings.metric === 'cpu') return null;

@@ -26,7 +26,7 @@ export interface StageState {
   close(): void;
 }
 
-/** Iframes with `stage.html`, the device, and which competitors cannot draw; both are read from the first iframe. */
+/** Creates iframes with `stage.html`; the first one reports the device, and which competitors cannot draw. */
 export function useStage(): StageState {
   const made = useRef<StageFrames | null>(null);
   const [device, setDevice] = useState<Device | null>(null);
