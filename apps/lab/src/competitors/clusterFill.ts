@@ -15,7 +15,7 @@ export interface ClusterGrid {
 export interface ClusterFill {
   /** Number of lights in the fullest cluster. */
   readonly fullest: number;
-  /** Number of lights that are missing in a cluster within their range, because the cluster already holds `limit` lights. */
+  /** Number of lights that a cluster within their range lacks, because the cluster already holds `limit` lights. */
   readonly dropped: number;
 }
 
