@@ -35,7 +35,7 @@ const chosen: Readonly<Record<string, CompetitorMark>> = {
   babylon: mark('#96657f', '#d6adc4', 'asterisk'),
 };
 
-/** Marks for techniques without a hand-picked one, used in turn. */
+/** Marks given in rotation to techniques that have no hand-picked mark. */
 const spare: readonly CompetitorMark[] = [
   mark('#8c5a00', '#e0a850', 'plus', true),
   mark('#00708a', '#55c2dd', 'wye', true),

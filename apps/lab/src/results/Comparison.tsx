@@ -15,7 +15,7 @@ const metrics: Readonly<Record<Metric, string>> = {
   cpu: 'CPU time in the call that draws',
 };
 
-/** Two runs side by side: their differences, a mean for each competitor, and every case that both have. */
+/** Two runs side by side: their differences, each competitor's mean ratio of times, and every case that both have. */
 export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
   const [chosen, setChosen] = useState<Metric | null>(null);
   const compared = useMemo(() => compareRuns(a, b, chosen ?? undefined), [a, b, chosen]);

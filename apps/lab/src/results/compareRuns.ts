@@ -28,7 +28,7 @@ export interface ComparedCompetitor {
 }
 
 export interface ComparedRuns {
-  /** Compared kind of time: by default GPU time if all rows with figures have it, otherwise frame time. */
+  /** Compared kind of time: by default GPU time if all measured rows have it, otherwise frame time. */
   readonly metric: Metric;
   readonly rows: readonly ComparedRow[];
   readonly competitors: readonly ComparedCompetitor[];
@@ -68,7 +68,7 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
   return { metric, rows, competitors, differences: differencesOf(a, b, rows.length) };
 }
 
-/** GPU time if all rows of both runs with figures have it, otherwise frame time. */
+/** GPU time if all measured rows of both runs have it, otherwise frame time. */
 function commonMetric(a: LabRun, b: LabRun): Metric {
   const drew = [...a.rows, ...b.rows].filter(({ frame }) => frame !== null);
   return drew.length > 0 && drew.every(({ gpu }) => gpu !== null) ? 'gpu' : 'frame';
