@@ -49,7 +49,7 @@ export interface LabHandle {
   /**
    * Measures a plan. Competitors with `@against` at the end of their key are drawn by the build under `against/`.
    *
-   * @throws Error (as a rejection) during another run, or if the frame with the stage does not load
+   * @throws Error (as a rejection) during another run, or if the iframe with `stage.html` does not load
    */
   run(plan: LabPlan, options?: HandleOptions): Promise<LabRun>;
   /** Surroundings of a run that would begin now. */

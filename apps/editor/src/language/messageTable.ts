@@ -1,6 +1,6 @@
 /**
- * Translations of the engine's messages, which are English only, by the English text with `{name}` for parameters. A
- * test checks that the engine's sources contain each text.
+ * Translations of the engine's messages, which are English only, keyed by the English text with `{name}` for
+ * parameters. A test checks that the engine's sources contain each text.
  */
 export type MessageTable = Readonly<Record<string, string>>;
 

@@ -33,7 +33,7 @@ export abstract class ViewportSettings {
   declare mode: GizmoMode;
   declare space: GizmoSpace;
   declare snapping: boolean;
-  /** What drags snap to while snapping is on. */
+  /** Target that drags snap to while snapping is on. */
   declare snapTo: SnapTarget;
   /** Whether objects dropped on a surface are rotated so that their y axis is the surface normal. */
   declare alignsToSurface: boolean;

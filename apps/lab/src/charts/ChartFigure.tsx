@@ -12,12 +12,12 @@ const REACH = 48;
 
 interface Props {
   chart: ChartSpec;
-  /** Device, browser and date of the figures, for saved files. */
+  /** Device, browser and date of the measurements, written into saved files. */
   source: string;
   onChoose: (index: number) => void;
 }
 
-/** A chart with its title, notes, table and files. */
+/** A chart with its title, notes, a table of its values, and buttons that save it as a file. */
 export function ChartFigure({ chart, source, onChoose }: Props) {
   const id = useId();
   const [showsTable, setShowsTable] = useState(false);

@@ -61,14 +61,14 @@ export interface ChartChoice {
   readonly exportsAll?: boolean;
 }
 
-/** One chart: its figures, and how they are drawn. */
+/** One chart: its texts, its table of values, and the function that draws it. */
 export interface ChartSpec {
   /** Unique key among the charts of a run, lower-kebab; also the name of its file. */
   readonly key: string;
   readonly title: string;
-  /** Contents and axes of the drawing, for screen readers. */
+  /** Contents and axes of the drawing in words, for screen readers. */
   readonly description: string;
-  /** Legend in words, and reasons of missing figures; in small type. */
+  /** Texts in small type below the drawing: a legend in words, and reasons why values are missing. */
   readonly notes?: readonly string[];
   readonly table: ChartTable;
   /** Keys of the competitors whose marks are explained in the legend of a saved file. */

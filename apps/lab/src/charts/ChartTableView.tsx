@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import type { ChartTable } from './ChartSpec';
 
-/** A chart's figures as a table that scrolls sideways if it is too wide. */
+/** A chart's values as a table that scrolls sideways if it is too wide. */
 export function ChartTableView({ table, caption }: { table: ChartTable; caption: string }) {
   return (
     <div class="chart-table-scroll" role="region" aria-label={t('Table: {title}', { title: caption })} tabIndex={0}>

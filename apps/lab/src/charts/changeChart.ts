@@ -16,7 +16,7 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
     const rows = run.rows.filter((row) => row.series === series.name && row.index === index && hasChange(row));
     return rows.length > 0 ? [{ label, rows }] : [];
   });
-  // only added lights and changed techniques make a chart: first frames are in every run
+  // every run has first frames: without a frame after added lights or a changed technique there is no chart
   if (!cases.some(({ rows }) => rows.some(({ added, changed }) => added !== null || changed !== null))) return null;
   const selected = Math.min(settings.cases[key] ?? cases.length - 1, cases.length - 1);
   const { label } = cases[selected];
@@ -85,7 +85,7 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
   };
 }
 
-/** Times of the three changes in order; null for one that was not measured. */
+/** Times of the changes in `kinds`, in that order; null for a change that was not measured. */
 function timesOf(row: LabRow): ({ ms: number; programs: number | null } | null)[] {
   const first = row.firstMs !== null && row.firstMs > 0 ? { ms: row.firstMs, programs: null } : null;
   return [first, changeOf(row.added), changeOf(row.changed)];

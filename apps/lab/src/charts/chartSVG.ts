@@ -9,11 +9,11 @@ export interface ChartFileOptions {
   readonly width?: number;
   /** Theme of the file; light by default. */
   readonly theme?: 'light' | 'dark';
-  /** Origin of the figures, in small type at the end: device, browser, date. */
+  /** Origin of the measurements (device, browser, date), written in small type at the end of the file. */
   readonly source?: string;
 }
 
-/** Marks with text, in a row of the legend. */
+/** One entry of the legend: a mark, and the text beside it. */
 interface LegendItem {
   readonly words: string;
   readonly mark: string;

@@ -5,7 +5,7 @@ export interface CompetitorMark {
   /** Colours on a light and on a dark background, with a contrast of at least 3:1. */
   readonly light: string;
   readonly dark: string;
-  /** Symbol of its points: unique together with `hollow`. */
+  /** Symbol of the competitor's points; the pair of `symbol` and `hollow` is unique to the competitor. */
   readonly symbol: MarkSymbolName;
   readonly hollow: boolean;
 }
@@ -35,7 +35,7 @@ const chosen: Readonly<Record<string, CompetitorMark>> = {
   babylon: mark('#96657f', '#d6adc4', 'asterisk'),
 };
 
-/** Marks for techniques without a hand-picked one, used in turn. */
+/** Marks given in rotation to techniques that have no hand-picked mark. */
 const spare: readonly CompetitorMark[] = [
   mark('#8c5a00', '#e0a850', 'plus', true),
   mark('#00708a', '#55c2dd', 'wye', true),
@@ -58,7 +58,7 @@ export function competitorMark(name: string): CompetitorMark {
   return Object.hasOwn(competitorMarks, name) ? competitorMarks[name] : unknown;
 }
 
-/** Position of a competitor in menus, legends and colours. */
+/** Index of a competitor in the order of menus and legends; the greatest safe integer for an unknown competitor. */
 export function competitorOrder(name: string): number {
   const place = Object.keys(competitorNames).indexOf(name);
   return place === -1 ? Number.MAX_SAFE_INTEGER : place;

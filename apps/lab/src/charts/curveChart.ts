@@ -52,19 +52,19 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
   };
 }
 
-/** Title of a series of one case: scene and value, unless the value is the picture's size, which follows anyway. */
+/** Title of a series of one case: scene and value; only the scene along pixels, since the title ends with the size. */
 function caseText(series: LabSeries): string {
   return series.axis === 'pixels'
     ? seriesWord(series)
     : `${seriesWord(series)}, ${valueText(series.axis, series.values[0])}`;
 }
 
-/** Whether all runs planned only one case, the same. */
+/** Whether the curves of all runs have one and the same value: a single case. */
 function isOneCase(curves: readonly Curve[]): boolean {
   return new Set(curves.flatMap((curve) => curve.series.values)).size === 1;
 }
 
-/** Competitors without any figure in the series, grouped by reason. */
+/** Notes that name the competitors without any time in the series, one note for each reason. */
 function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): string[] {
   const without = new Map<string, Set<string>>();
   for (const run of runs) {
@@ -90,7 +90,7 @@ function sizeText(cases: readonly LabCase[]): string {
   return sizes.size === 1 ? [...sizes][0] : '';
 }
 
-/** Drawing of a series without a figure. */
+/** Drawing of a series in which nothing was measured. */
 function drawEmpty({ width, paint }: DrawOptions): DrawnChart {
   const style = { x: width / 2, y: 40, fill: paint.dim, 'font-size': 13 };
   return { height: 80, svg: textTag(t('No figures here'), style), points: [] };

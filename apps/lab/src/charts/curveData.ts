@@ -23,7 +23,7 @@ export interface Curve {
   /** Connected parts of the curve; a case without a time separates two of them. */
   readonly pieces: readonly (readonly CurvePoint[])[];
   readonly points: readonly CurvePoint[];
-  /** Reason, a sentence, why the curve ends before the last case; null if it does not, or the run tells no reason. */
+  /** Reason, a sentence, why the curve ends before the last case; null if it does not, or if the run has no reason. */
   readonly end: string | null;
 }
 

@@ -95,7 +95,7 @@ export function drawCurves(
 
 const at = (x: number, y: number): string => `${x.toFixed(2)},${y.toFixed(2)}`;
 
-/** Areas from the 10th to the 90th percentile. */
+/** Filled areas between the 10th and the 90th percentile of a curve's times, one for each connected part. */
 function bandsOf({ pieces }: Curve, fill: string, { x, y }: Place): string[] {
   return pieces.map((piece) => {
     const upper = piece.map(({ value, high }) => at(x(value), y(high)));
@@ -126,7 +126,7 @@ function rangesOf({ points }: Curve, stroke: string, { x, y }: Place): string[] 
   );
 }
 
-/** Rings around figures with warnings, and a stop sign behind a curve that ends before the last case. */
+/** Rings around times with warnings, and a stop sign behind a curve that ends before the last case. */
 function marksOf({ points, end }: Curve, stroke: string, { x, y }: Place, isList: boolean): string[] {
   const rings = points
     .filter(({ row }) => row.warnings.length > 0)

@@ -5,7 +5,7 @@ import { competitorSymbol } from './competitorSymbol';
 import { linearTicks, logTicks, scaleOf } from './scales';
 import { fittedText, tag, textTag, textWidth } from './svg';
 
-/** A bar of a row, from value to value. */
+/** A bar of a row: it extends along the axis from one value to another. */
 export interface RowBar {
   readonly from: number;
   readonly to: number;
@@ -28,7 +28,7 @@ export interface RowMark {
   readonly tip: ChartTip;
 }
 
-/** A row of a chart: its bars and symbols along the axis; it has neither when there are no figures. */
+/** A row of a chart: bars and symbols along the axis; a row without measured values has no bars and no symbols. */
 export interface ChartRow {
   readonly label: string;
   /** Whether the row is the title of the rows below. */

@@ -13,7 +13,7 @@ const MOST = 7;
 const REST = 'other passes';
 
 /**
- * Bars by pass of each technique in one case; null if no passes were measured.
+ * A bar for each technique in one case, divided into the technique's passes; null if no passes were measured.
  * @param runs - all runs of the page, so that a pass has the same colour in each chart
  */
 export function passChart(

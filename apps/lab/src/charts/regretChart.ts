@@ -21,7 +21,7 @@ interface Regret {
   readonly isTie: boolean;
 }
 
-/** Losses of `auto` against the best of Farol’s techniques, in each case that both drew. */
+/** Losses of `auto` against the best of Farol’s techniques, in each case that `auto` and a technique have drawn. */
 export function regretsOf(run: LabRun, metric: Metric): Regret[] {
   return casesOf(run).flatMap((of) => {
     const entries = entriesOf(run, of.series, of.index, metric);

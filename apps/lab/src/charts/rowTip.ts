@@ -6,7 +6,7 @@ import { formatBytes, formatMs, formatNumber } from '../words/format';
 import { competitorLabel, competitorWord, metricWords, valueText } from '../words/names';
 import type { ChartTip } from './ChartSpec';
 
-/** Text of the note at a point: the figures of its row. */
+/** Text of the note at a point: the measurements of the point's row. */
 export function rowTip(row: LabRow, series: LabSeries, metric: Metric, runName = ''): ChartTip {
   const value = valueText(series.axis, series.values[row.index], series.cases[row.index]);
   const title = `${competitorLabel(row.competitor)}, ${value}${runName ? ` (${runName})` : ''}`;

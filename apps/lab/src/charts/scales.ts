@@ -70,7 +70,7 @@ export function ticksWithRoom(values: readonly number[], place: Scale, room: num
   return kept;
 }
 
-/** Short text of a tick of a series, without the unit. */
+/** Short text of a tick on the axis of a series' values, without the unit. */
 export function valueTick(series: LabSeries, value: number): string {
   if (series.axis === 'shading') return shadings[shadingNames[value]]?.label ?? String(value);
   if (series.axis === 'kind') return namedValue('kind', value);

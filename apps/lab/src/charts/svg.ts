@@ -17,7 +17,7 @@ function escaped(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');
 }
 
-/** Rounds numbers to hundredths of a pixel, which are invisible. */
+/** Rounds a number to hundredths of a pixel: smaller differences are invisible. Text is returned unchanged. */
 function rounded(value: string | number): string {
   return typeof value === 'number' ? String(Math.round(value * 100) / 100) : value;
 }

@@ -15,8 +15,8 @@ export function nearestPoint(points: readonly ChartPoint[], x: number, y: number
  * Next point for an arrow key: left and right within a group, up and down to the next point of other groups with the
  * same order, Home and End to a group's ends.
  *
- * @param current - the chosen point; null for none, after which comes the first point
- * @returns undefined for any other key
+ * @param current - the chosen point; null for none: any of these keys then leads to the first point
+ * @returns undefined for any key that is not named above
  */
 export function walkPoints(
   points: readonly ChartPoint[],

@@ -17,7 +17,7 @@ export interface MapCell {
   readonly winners: Winners | null;
 }
 
-/** Cases by two properties, with the fastest competitor of each. */
+/** A table of cases by two of their properties; each cell shows the fastest competitor of its case. */
 export interface WinnerMap {
   readonly rows: readonly string[];
   readonly columns: readonly string[];
@@ -27,8 +27,8 @@ export interface WinnerMap {
 }
 
 /**
- * Maps of a run: lights by pixels for each scene with several values of both; otherwise series by values of one axis.
- * Maps with fewer than two cases of several competitors are left out.
+ * Maps of a run: of lights by pixels for each scene with several values of both; of series by value, one map per axis,
+ * for all other cases. Maps with fewer than two cases that several competitors drew are left out.
  */
 export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
   const cases = casesOf(run);
@@ -84,7 +84,7 @@ function columnText(axis: Axis, value: number): string {
   return axis === 'pixels' ? `${formatNumber(value / 1e6, 2)} M` : formatNumber(value, 6);
 }
 
-/** Key of the properties that cases of one map of lights by pixels share. */
+/** Key of a case: cases with the same key are in one map of lights by pixels. */
 function sceneKey({ labCase }: SeriesCase): string {
   const { scene, shadows, lightKind, lightRange, shading, overdraw } = labCase;
   return JSON.stringify([scene.name, scene.parameters, shadows, lightKind, lightRange, shading, overdraw]);

@@ -20,7 +20,7 @@ export interface Drawing {
   finish?(): Promise<void>;
   /** Called after lights were added to or removed from `StageScene.lights`. */
   lightsChanged?(): void;
-  /** Called within the timed call, before a frame, after the positions of `StageScene.lights` changed. */
+  /** Called at the start of the timed drawing call, before `render`, after `StageScene.lights` have moved. */
   lightsMoved?(): void;
   /** Reads the picture drawn in this task, 8-bit sRGB, top row first; absent if a 2D canvas can read it. */
   readPicture?(): Promise<ImageData>;
@@ -34,7 +34,7 @@ export interface Drawing {
   setPassTimes?(on: boolean): void;
   /** Changes to another technique; absent if there is none. @returns a function that changes back */
   leaveTechnique?(): () => void;
-  /** Frees its resources; the stage loses the context. */
+  /** Frees the competitor's own resources; afterwards the stage frees the canvas's context. */
   dispose(): void;
 }
 
@@ -53,7 +53,7 @@ export interface Competitor {
   /** Key of the competitor, also in files and links. */
   readonly name: string;
   readonly label: string;
-  /** Explanation, one sentence. */
+  /** Explanation of the competitor, one sentence. */
   readonly help: string;
   /** `farol`: by FarolRenderer; `three`: three's own renderers; `rival`: other engines, installed on demand. */
   readonly kind: 'farol' | 'three' | 'rival';

@@ -15,7 +15,7 @@ export interface ClusterGrid {
 export interface ClusterFill {
   /** Number of lights in the fullest cluster. */
   readonly fullest: number;
-  /** Number of lights that some cluster within their range lacks because of `limit`. */
+  /** Number of lights that a cluster within their range lacks, because the cluster already holds `limit` lights. */
   readonly dropped: number;
 }
 

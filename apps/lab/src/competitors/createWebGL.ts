@@ -1,7 +1,7 @@
 import { WebGLRenderer } from 'three';
 import type { StageScene } from '../stage/StageScene';
 
-/** three's WebGLRenderer with the settings of all competitors: no anti-aliasing, no tone mapping, sRGB, pixel ratio 1. */
+/** three's WebGLRenderer as all competitors use it: no anti-aliasing, no tone mapping, sRGB, pixel ratio 1. */
 export interface PlainWebGL {
   readonly renderer: WebGLRenderer;
   readonly gl: WebGL2RenderingContext;

@@ -4,10 +4,10 @@ import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
 
-/** Number of frames by one technique after which `auto` counts as settled: its estimate of overdraw comes late. */
+/** `auto` is settled after this many frames by one technique: it may change techniques after estimating overdraw. */
 const SETTLED = 48;
 
-/** Farol with a technique and a quality; its code is fetched before frames are timed. */
+/** Farol with a technique and a quality as a competitor; the renderer's code is fetched before frames are timed. */
 export function farol(technique: TechniqueName, quality: Required<FarolOptions>['quality'] = 'full'): Competitor {
   const name = quality === 'lite' ? 'lite' : technique;
   return {

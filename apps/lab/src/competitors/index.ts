@@ -17,7 +17,7 @@ const farolCompetitors = Object.fromEntries(
 const rival = async (name: RivalName): Promise<Competitor> =>
   (await import('./rivals/rivalCompetitor')).rivalCompetitor(name);
 
-/** Competitors by key; large ones are fetched when they first draw. A new one takes a file and a line here. */
+/** Competitors by key; large ones are fetched when they first draw. A new competitor needs a file and a line here. */
 export const competitors: Readonly<Record<CompetitorName, Fetch>> = {
   ...farolCompetitors,
   lite: async () => farol('auto', 'lite'),

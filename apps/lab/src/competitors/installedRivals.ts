@@ -15,7 +15,7 @@ export async function installedRivals(): Promise<InstalledRivals> {
     const answer = await fetch(new URL('rivals/versions.json', document.baseURI));
     if (answer.ok) return (await answer.json()) as InstalledRivals;
   } catch {
-    // a server without this file, or out of reach, counts as one without other engines
+    // the server cannot be reached, or its answer is not JSON: no engine counts as installed
   }
   return { versions: {}, canInstall: false };
 }

@@ -102,7 +102,7 @@ class AddedLights {
     }
   }
 
-  /** Copies position, colour and range of a light to the light of this scene. */
+  /** Copies position, colour, intensity, range and decay of `source` to the only visible light of the pass. */
   light(source: PointLight): void {
     const used = source.castShadow ? this.caster : this.lamp;
     this.lamp.visible = !source.castShadow;

@@ -5,7 +5,7 @@ import type { StageScene } from '../stage/StageScene';
  * Refuses a scene whose shadow maps and material textures exceed the texture limit of a shader.
  *
  * @param textures - maximum number of textures of a shader on this device
- * @param others - textures that the renderer itself needs
+ * @param others - number of textures that the renderer itself binds in each shader
  * @throws Error with the number of lights whose shadow maps fit
  */
 export function refuseTextures({ three, lights, still }: StageScene, textures: number, others = 0): void {

@@ -5,7 +5,7 @@ import { median } from './spread';
 
 /** A scene whose frames are measured, and the clock `now` (ms). */
 export interface Measured {
-  /** Moves the lights by a step and draws a frame. @returns duration of the drawing call (ms) */
+  /** Moves the lights by one time step and draws a frame. @returns duration of the drawing call (ms) */
   frame(): number;
   /** Waits until the device has drawn everything. */
   finish(): void | Promise<void>;
@@ -20,7 +20,7 @@ const SPAN = 20;
  * batch's first frame, whose share is smaller in a longer batch.
  */
 const GPU_SPAN = 100;
-/** Minimum number of samples of each kind. */
+/** Minimum number of samples of each kind of time: throughput, CPU and GPU. */
 const FEWEST = 3;
 /** Number of frames with timer queries between two waits. */
 const QUERIES = 8;

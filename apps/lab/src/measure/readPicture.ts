@@ -20,7 +20,7 @@ function reduced(source: HTMLCanvasElement | ImageData, widest: number): CanvasR
   const height = Math.max(1, Math.round((source.height * width) / source.width));
   const context = context2D(width, height);
   context.imageSmoothingQuality = 'high';
-  // recognised by `data`, since ImageData of a frame has another class than this page's ImageData
+  // recognised by `data`, since ImageData of an iframe has another class than this page's ImageData
   context.drawImage('data' in source ? canvasOf(source) : source, 0, 0, width, height);
   return context;
 }

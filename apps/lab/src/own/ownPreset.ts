@@ -1,10 +1,10 @@
 import type { Configuration } from '../plan/Configuration';
 import { presets, type Preset } from '../plan/presets';
 
-/** Whether a configuration measures the handed-over scene. */
+/** Whether a configuration measures the scene that another app has handed over. */
 export const usesOwnScene = ({ series }: Configuration): boolean => series.some(({ scene }) => scene === 'own');
 
-/** Preset that measures the handed-over scene by all competitors. @param name - of the scene */
+/** Preset that measures the handed-over scene by all competitors. @param name - name of the scene */
 export function ownPreset(name: string): Preset {
   const { configuration } = presets.quick;
   return {

@@ -15,7 +15,7 @@ const metrics: Readonly<Record<Metric, string>> = {
   cpu: 'CPU time in the call that draws',
 };
 
-/** Two runs side by side: their differences, a mean for each competitor, and every case that both have. */
+/** Two runs side by side: their differences, each competitor's mean ratio of times, and every case that both have. */
 export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
   const [chosen, setChosen] = useState<Metric | null>(null);
   const compared = useMemo(() => compareRuns(a, b, chosen ?? undefined), [a, b, chosen]);
@@ -129,7 +129,7 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
 /** Whether two times count as a tie, see `compareSpreads`. */
 const isTie = (times: ComparedRow['times']): boolean => times !== null && compareSpreads(...times) === 0;
 
-/** Ratio of the second run to the first, in words. */
+/** How much faster or slower the second run is than the first, in words. @param ratio - first run's time / second's */
 function ratioWords(ratio: number | null): string {
   if (ratio === null) return t('no figure in one of them');
   if (kindOf(ratio) === 'same') return t('the same within 3%');

@@ -31,7 +31,7 @@ export interface PassTimes {
   passes: { name: string; ms: number }[];
 }
 
-/** Frame after a change, including the wait for the device. */
+/** Duration (ms) of the frame after a change, including the wait for the device to draw it. */
 export interface Change {
   ms: number;
   /** Programs linked in the frame; null for WebGPU. */
@@ -71,9 +71,9 @@ export interface LabRow {
   /** Technique that the competitor chose, and its reason; null if it does not choose. */
   technique: string | null;
   reason: string | null;
-  /** Reason, a sentence, why there are no figures; null if there are. */
+  /** Reason, a sentence, why the competitor was not measured in the case; null if it was. */
   problem: string | null;
-  /** Sentences on doubtful figures: a drift between turns, a hidden tab, a wait for the display. */
+  /** Reasons to doubt the times, each a sentence: a drift between turns, a hidden tab, a wait for the display. */
   warnings: string[];
 }
 

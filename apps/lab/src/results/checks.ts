@@ -77,7 +77,7 @@ export function listOf<T>(check: Check<T>, most: number, fewest = 0): Check<T[]>
   };
 }
 
-/** Checks an object with arbitrary names. */
+/** Checks an object with arbitrary property names, at most `most`; `check` checks each value. */
 export function record<T>(check: Check<T>, most: number): Check<Record<string, T>> {
   return (value, path) => {
     if (!isObject(value)) return refuse(path, value, 'an object');

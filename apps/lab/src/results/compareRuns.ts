@@ -12,23 +12,23 @@ export interface ComparedRow {
   readonly value: number;
   /** Times of both runs; null unless both have one. */
   readonly times: readonly [a: Spread, b: Spread] | null;
-  /** Medians of the two runs (ms); null without a figure. */
+  /** Medians of the two runs (ms); null for a run that did not measure the time. */
   readonly a: number | null;
   readonly b: number | null;
-  /** a / b: over 1 if the second run is faster; null unless both have a figure. */
+  /** a / b: over 1 if the second run is faster; null unless both runs measured the time. */
   readonly ratio: number | null;
 }
 
-/** Mean ratio of a competitor over all cases in which both runs have a figure. */
+/** Mean ratio of a competitor over all cases in which both runs measured it. */
 export interface ComparedCompetitor {
   readonly competitor: string;
-  /** Geometric mean of the ratios; null without any. */
+  /** Geometric mean of the ratios; null if there are none. */
   readonly ratio: number | null;
   readonly cases: number;
 }
 
 export interface ComparedRuns {
-  /** Compared kind of time: by default GPU time if all rows with figures have it, otherwise frame time. */
+  /** Compared kind of time: by default GPU time if all measured rows have it, otherwise frame time. */
   readonly metric: Metric;
   readonly rows: readonly ComparedRow[];
   readonly competitors: readonly ComparedCompetitor[];
@@ -68,7 +68,7 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
   return { metric, rows, competitors, differences: differencesOf(a, b, rows.length) };
 }
 
-/** GPU time if all rows of both runs with figures have it, otherwise frame time. */
+/** GPU time if all measured rows of both runs have it, otherwise frame time. */
 function commonMetric(a: LabRun, b: LabRun): Metric {
   const drew = [...a.rows, ...b.rows].filter(({ frame }) => frame !== null);
   return drew.length > 0 && drew.every(({ gpu }) => gpu !== null) ? 'gpu' : 'frame';

@@ -61,7 +61,7 @@ function addProblems(problems: string[], all: readonly string[], others: string)
 }
 
 /**
- * Reads a configuration from an address's fragment. Each error is reported, and replaced by the default.
+ * Reads a configuration from an address's fragment. Each invalid setting is reported, and replaced by its default.
  *
  * @param fragment - with or without `#`
  * @returns null if the fragment has neither a preset nor series

@@ -8,10 +8,10 @@ export interface ReferenceRun {
   read(): Promise<LabRun>;
 }
 
-/** Addresses of `apps/lab/reference/*.json`; the files are not part of the script. */
+/** Addresses of the files `apps/lab/reference/*.json`, which are not part of the script. */
 const urls = import.meta.glob<string>('../../reference/*.json', { query: '?url', import: 'default', eager: true });
 
-/** Entries of the list, part of the script, so that the files are fetched only when opened. */
+/** Each reference as an entry of the list of runs, part of the script: the run is fetched only when opened. */
 const infos = import.meta.glob<RunInfo>('../../reference/*.json', {
   query: '?run-info',
   import: 'default',

@@ -11,7 +11,7 @@ interface Place {
 }
 
 export interface Column {
-  /** Heading: lower snake case, its unit at the end. */
+  /** Heading of the column: lower snake case, with the unit at the end. */
   readonly name: string;
   readonly meaning: string;
   readonly cell: (place: Place) => Cell;
@@ -86,8 +86,8 @@ export const csvColumns: readonly Column[] = [
 ];
 
 /**
- * A run as CSV by RFC 4180, UTF-8 without a byte order mark: a row for each case and competitor, an empty cell without a
- * figure. A text that a spreadsheet would read as a formula gets an apostrophe in front.
+ * A run as CSV by RFC 4180, UTF-8 without a byte order mark: a row for each case and competitor, an empty cell where
+ * nothing was measured. A text that a spreadsheet would read as a formula gets an apostrophe in front.
  */
 export function runCSV(run: LabRun): string {
   const series = new Map(run.plan.series.map((each) => [each.name, each]));

@@ -4,11 +4,11 @@ import { formatNumber } from '../words/format';
 import { competitorLabel, namedValue } from '../words/names';
 import type { LabRow, LabRun } from './LabRun';
 
-/** A table of a series, with a figure for each row of the run. */
+/** A table of a series: each cell shows this quantity of one row of the run. */
 interface Quantity {
   readonly title: string;
   readonly cell: (row: LabRow) => string | null;
-  /** Number of a row; the lowest one of a case is printed bold. */
+  /** The quantity as a number: the lowest one among the rows of a case is printed bold. */
   readonly lowest?: (row: LabRow) => number | null;
 }
 
@@ -99,7 +99,7 @@ function table(series: LabSeries, competitors: readonly string[], rows: LabRow[]
   return lines;
 }
 
-/** Columns before the figures of a case: N and M for planes, as in the thesis, otherwise the value along the axis. */
+/** Columns that identify a case: N × N planes and M × M lights as in the thesis, or the value along the axis. */
 function headings(series: LabSeries): { title: string; of: (labCase: LabCase, value: number) => string }[] {
   const { axis, cases } = series;
   const squares = cases.every(

@@ -14,7 +14,7 @@ export function useFileDrop(onFiles: (files: File[]) => void): boolean {
       event.preventDefault();
       setOver(true);
     };
-    // dragleave fires for every element that the pointer leaves; without a related target it has left the window
+    // dragleave fires for each element that the pointer leaves; without a related target the pointer left the window
     const leave = ({ relatedTarget }: DragEvent): void => void (relatedTarget === null && setOver(false));
     const drop = (event: DragEvent): void => {
       if (!hasFiles(event)) return;

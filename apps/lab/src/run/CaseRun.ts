@@ -11,7 +11,7 @@ import { messageOf } from './messageOf';
 /** Competitors that may draw the reference picture of a case, in order of preference. */
 const references = ['stock', 'forward', 'multipass'];
 
-/** Factor by which a turn must exceed its planned length to be the competitor's last one in the case. */
+/** A competitor gets no more turns in a case after one that took this many times its planned length. */
 const OVERLONG = 8;
 
 export interface CaseWorld {
@@ -128,7 +128,7 @@ export class CaseRun {
     each.over = true;
   }
 
-  /** Key for forecasts: the series along a numeric axis, where times grow; the single case along an axis of names. */
+  /** Key for forecasts: the series if its axis has numbers, as times grow with them; the case alone if it has names. */
   private get line(): string {
     const { series, index } = this.world;
     return isNamed(series.axis) ? `${series.name} ${index}` : series.name;
@@ -249,7 +249,7 @@ function visible(): Promise<void> {
   });
 }
 
-/** Runs work for a competitor; an error becomes the row's problem, or a warning if the row has figures already. */
+/** Runs work for a competitor; an error becomes the row's problem, or a warning if the row has times already. */
 async function attempt(open: Open, work: () => Promise<void>): Promise<void> {
   try {
     await work();

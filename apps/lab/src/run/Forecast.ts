@@ -8,10 +8,10 @@ interface Sample {
 const STEEPEST = 2;
 
 /**
- * Predicts the duration of a competitor's frame in the next case of a series, so that cases that would take minutes are
- * left out: the last time, extrapolated by the growth between the last two cases, and at most by the cost per unit of
- * value between them. After a single case an ordinary frame is predicted in proportion to the value, and a first frame
- * by adding the same time, since compiling and uploads do not depend on the value.
+ * Predicts how long a competitor's frame takes in the next case of a series, so that cases of minutes are left out. The
+ * last time is extrapolated by the power with which times grew between the last two cases, at most along the line
+ * through their times. After a single case an ordinary frame is predicted in proportion to the value, and a first frame
+ * by adding the ordinary frame's growth, since compiling and uploads do not depend on the value.
  */
 export class Forecast {
   /** Frame times so far, in the order of the cases, by series, competitor and kind. */

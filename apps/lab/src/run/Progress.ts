@@ -3,9 +3,9 @@ import type { LabRow } from '../results/LabRun';
 
 /** State of a run before a step (opening a competitor, or its turn). The object is reused: copy what must be kept. */
 export interface Progress {
-  /** Steps done. */
+  /** Number of finished steps. */
   done: number;
-  /** Steps of the whole run. */
+  /** Number of steps of the whole run. */
   total: number;
   /** Time left (ms), extrapolated from the steps so far; null during the first three. */
   remaining: number | null;
@@ -15,6 +15,6 @@ export interface Progress {
   labCase: LabCase;
   /** Rows so far; rows of the current case change with each turn. */
   rows: readonly LabRow[];
-  /** Last picture; null before the first one. */
+  /** The picture that a competitor drew last; null before the first picture. */
   picture: ImageData | null;
 }

@@ -1,7 +1,7 @@
 import type { CompetitorName } from '../competitors/competitorNames';
 import type { Stage } from '../stage/Stage';
 
-/** Competitors with a frame of their own; the others share one. */
+/** Competitors that have an iframe of their own; all others share one iframe. */
 const isolated: readonly string[] = ['three-webgpu', 'playcanvas', 'babylon'] satisfies CompetitorName[];
 
 /** Time until `stage.html` must offer its stage (ms). */
@@ -10,13 +10,13 @@ const LONGEST_LOAD = 30_000;
 /** Iframes with `stage.html`, each created when one of its competitors is first needed. */
 export interface StageFrames {
   /**
-   * Stage of a competitor.
+   * Stage of the iframe in which a competitor draws.
    *
-   * @throws Error (as a rejection) when its frame does not load
+   * @throws Error (as a rejection) when the iframe does not load
    */
   stageOf(competitor: string): Promise<Stage>;
   /**
-   * Hands the scene `own` to all frames, present and future.
+   * Hands the scene `own` to all existing iframes, and to those created later.
    *
    * @param file - a scene file of the engine with its assets
    */
@@ -25,9 +25,9 @@ export interface StageFrames {
 }
 
 /**
- * Makes frames within a page.
+ * Creates iframes within a page when they are needed.
  *
- * @param parent - element that holds the frames; they have no size on the page
+ * @param parent - element that holds the iframes; they take no space on the page
  * @param url - URL of `stage.html`
  */
 export function createStageFrames(parent: HTMLElement, url = './stage.html'): StageFrames {
@@ -42,7 +42,7 @@ export function createStageFrames(parent: HTMLElement, url = './stage.html'): St
       element.title = 'Competitors that are measured';
       element.tabIndex = -1;
       element.setAttribute('aria-hidden', 'true');
-      // visible, but off-screen: some browsers do not draw in a frame with display: none
+      // off-screen and hidden by `visibility`: some browsers do not draw in an iframe with display: none
       element.style.cssText = 'position:fixed;left:-64px;top:0;width:32px;height:32px;border:0;visibility:hidden';
       const stage = loadStage(element, new URL(url, location.href).href).then(async (loaded) => {
         if (ownScene) await loaded.setOwnScene(ownScene);
@@ -86,7 +86,7 @@ function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
   });
 }
 
-/** Stage of a frame; undefined if the browser shows its error page there, which has another origin. */
+/** Stage of an iframe; undefined if the browser shows its error page there, which has another origin. */
 function stageIn({ contentWindow }: HTMLIFrameElement): Stage | undefined {
   try {
     return contentWindow?.stage;

@@ -13,7 +13,7 @@ export interface Crash {
 }
 
 /**
- * Frames of this build and, for competitors whose key ends in {@link AGAINST}, of the one under `against/`.
+ * Iframes with the stage of this build; keys that end in {@link AGAINST} use those of the build under `against/`.
  *
  * @param crashes - cases in which a competitor is not opened again
  */

@@ -14,7 +14,7 @@ export interface RunOptions {
   onProgress?(progress: Progress): void;
   /** Called after each case and awaited, so that the page can draw without disturbing a measurement. */
   onCase?(progress: Progress): void | Promise<void>;
-  /** Cancels the run, which then resolves with the rows so far and without `complete`. */
+  /** Cancels the run, which then resolves with the rows so far and with `complete` false. */
   readonly signal: AbortSignal;
   /** Maximum number of WebGL contexts; default as for a desktop. */
   readonly mostContexts?: number;

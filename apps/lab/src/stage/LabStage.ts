@@ -13,7 +13,7 @@ import type { Opened, Stage, Turn } from './Stage';
 import { StageScenes } from './StageScenes';
 import { webgpuName } from './webgpuName';
 
-/** The stage of a frame: opened competitors, each with a canvas outside of the document. */
+/** The stage in one iframe: the opened competitors, each with a canvas outside of the document. */
 export class LabStage implements Stage {
   private readonly scenes = new StageScenes();
   private readonly competitors = new Map<string, OpenCompetitor>();

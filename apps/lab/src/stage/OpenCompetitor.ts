@@ -154,7 +154,7 @@ export class OpenCompetitor {
     this.canvas.width = this.canvas.height = 1;
   }
 
-  /** Moves the lights by a step and draws. @returns duration of the drawing call (ms) */
+  /** Moves the lights by one time step, STEP, and draws. @returns duration of the drawing call (ms) */
   private readonly frame = (): number => {
     const { drawing } = this;
     this.scene.setTime(++this.drawn * STEP);

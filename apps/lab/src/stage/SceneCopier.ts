@@ -12,8 +12,8 @@ import {
 } from 'three';
 
 /**
- * Copies meshes with geometries, materials and textures, so that each competitor's renderer can free its own; arrays and
- * images are shared.
+ * Copies meshes with geometries, materials and textures, so that each competitor's renderer can free its copies; arrays
+ * and images are shared.
  */
 export class SceneCopier {
   private readonly geometries = new Map<BufferGeometry, BufferGeometry>();

@@ -26,8 +26,8 @@ export interface Turn {
 }
 
 /**
- * Interface of the page `stage.html`, its `window.stage`: competitors of one frame, each with a context on a canvas outside
- * of the document, so that nothing is presented and no frame waits for the display.
+ * Interface of the page `stage.html`, its `window.stage`: competitors that draw in one iframe, each with a context on a
+ * canvas outside of the document, so that nothing is presented and no drawn frame waits for the display.
  */
 export interface Stage {
   /**
@@ -37,7 +37,7 @@ export interface Stage {
    * @throws Error (as a rejection) naming what the device, the browser or the competitor does not support
    */
   open(competitor: string, labCase: LabCase, options: { signal: AbortSignal; longestFrame: number }): Promise<Opened>;
-  /** Draws frames with moving lights for about `ms` milliseconds; returns at least 3 samples of each kind. */
+  /** Draws frames with moving lights for about `ms` milliseconds; returns at least 3 samples of each kind of time. */
   turn(competitor: string, ms: number): Promise<Turn>;
   /** Counts draws, programs and bytes of one frame; called after the turns. */
   count(competitor: string): Promise<Counts>;

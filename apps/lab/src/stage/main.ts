@@ -1,4 +1,4 @@
 import { LabStage } from './LabStage';
 
-// interface for the page that holds this frame: see Stage.ts
+// interface for the page that contains this iframe: see Stage.ts
 window.stage = new LabStage();

@@ -10,10 +10,10 @@ import { compareThesis, type ThesisPair, timeIn } from './compareThesis';
 import type { Frames } from './thesis2015';
 
 const headings = { planes: 'N × N planes, M × M lights', sponza: 'Sponza (here: atrium)', temple: 'Temple' } as const;
-/** Competitors comparable with the thesis's forward rendering, first with its own algorithm. */
+/** Competitors comparable with the thesis's forward rendering; the first one uses the thesis's own algorithm. */
 const forwards = ['multipass', 'forward', 'forward-single-pass', 'stock'];
 
-/** Frame rates of 2015 beside a run's, row by row; null for CPU times, and for a run with fewer than three of the rows. */
+/** Frame rates of the thesis beside a run's; null for CPU times, or if the run has too few of the thesis's rows. */
 export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'): ChartSpec | null {
   // CPU time is that of the drawing call, from which no frame rate follows
   if (settings.metric === 'cpu') return null;

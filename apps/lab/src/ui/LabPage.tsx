@@ -131,7 +131,7 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
             onChange={setConfiguration}
             onMeasure={() => void measure(configuration)}
           />
-          {/* the key renders charts and tables anew in another language */}
+          {/* another language changes the key of this element, so that charts and tables are rendered anew */}
           <div class="shown" key={textLanguage()}>
             {pair ? (
               <ComparedRuns runs={pair} onClose={() => setPair(null)} />

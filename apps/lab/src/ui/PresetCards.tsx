@@ -12,7 +12,7 @@ interface PresetCardsProps {
   onChoose(configuration: Configuration): void;
 }
 
-/** Cards of the presets; a click puts a preset into the builder. */
+/** Cards of the presets; a click copies the settings of a preset to the form below the cards. */
 export function PresetCards({ presets, chosen, onChoose }: PresetCardsProps) {
   return (
     <ul class="presets">

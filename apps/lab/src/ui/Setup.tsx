@@ -17,7 +17,7 @@ interface SetupProps {
   onMeasure(): void;
 }
 
-/** Presets, the builder, and the button that starts the run. */
+/** Presets, the form with all settings of a run (`Builder`), and the button that starts the run. */
 export function Setup({ configuration, planned, unavailable, ownScene, isBusy, onChange, onMeasure }: SetupProps) {
   const offered = ownScene === null ? presets : { own: ownPreset(ownScene), ...presets };
   const isOwn = ownScene !== null && usesOwnScene(configuration);

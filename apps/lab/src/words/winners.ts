@@ -14,7 +14,7 @@ export interface Winners {
   readonly entries: readonly Entry[];
 }
 
-/** Fastest competitors of a case, without `auto`, which uses another technique; null if none has a time. */
+/** Fastest competitors of a case; `auto`, which draws by another technique, is left out; null if none has a time. */
 export function winnersOf(run: LabRun, series: LabSeries, index: number, metric: Metric): Winners | null {
   const entries = entriesOf(run, series, index, metric).filter(({ competitor }) => competitor !== 'auto');
   if (entries.length === 0) return null;

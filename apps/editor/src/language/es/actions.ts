@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Spanish texts of actions, menus and keys. */
+/** Spanish texts of actions, menus, keyboard shortcuts and pointer gestures. */
 export const actions: Texts = {
   File: 'Archivo',
   Edit: 'Edición',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Spanish texts of placing: snapping, pivots, copies, alignment and measuring. */
+/** Spanish texts of the tools that place objects: snapping, pivots, copies, alignment and measuring. */
 export const arrange: Texts = {
   'Snap to surfaces (hold Ctrl for once)': 'Ajustar a superficies (con Ctrl, solo una vez)',
   'Snap to vertices (hold Ctrl for once)': 'Ajustar a vértices (con Ctrl, solo una vez)',

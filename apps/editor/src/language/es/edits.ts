@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Spanish labels of steps of the history. */
+/** Spanish labels of the steps that undo and redo list. */
 export const edits: Texts = {
   'New microshader {name}': 'Nuevo microshader {name}',
   Untitled: 'Sin título',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Spanish texts of views, cameras and keys of a playing scene. */
+/** Spanish texts of views, cameras and keyboard input to a playing scene. */
 export const views: Texts = {
   'View {place}': 'Vista {place}',
   'Keep view {place}': 'Conservar la vista {place}',

@@ -59,7 +59,7 @@ export interface RivalSpot {
   readonly position: Xyz;
   /** Unit vector along which the light shines. */
   readonly direction: Xyz;
-  /** Range of the light; more than 0. */
+  /** Range of the light (m); more than 0. */
   readonly range: number;
   /** Half the angle of the cone (radians). */
   readonly angle: number;
@@ -72,7 +72,7 @@ export interface RivalPoints {
   readonly count: number;
   /** [count, 3]: colour times intensity (candela). */
   readonly colours: Float32Array;
-  /** [count]: ranges of the lights; more than 0. */
+  /** [count]: ranges of the lights (m); more than 0. */
   readonly ranges: Float32Array;
   /** [count, 3]: world positions; updated before each `RivalDrawing.moveLights`. */
   readonly positions: Float32Array;
@@ -173,7 +173,7 @@ export interface RivalDrawing {
   setLights(points: RivalPoints): void;
   /** Copies the matrices of a mesh's instances. */
   moveInstances(mesh: number): void;
-  /** Number of lights of the last frame missing in some full cell. */
+  /** Number of lights that were missing in at least one cluster of the last frame, because the cluster was full. */
   dropped(): number;
   dispose(): void;
 }

@@ -70,7 +70,7 @@ function meshesOf({ three, camera }: StageScene): Mesh[] {
   return meshes.sort((a, b) => a.renderOrder - b.renderOrder);
 }
 
-/** Checks that every visible light is among the stage's, so that no engine is measured with fewer lights. */
+/** Checks that `lights` and `still` contain every visible light: otherwise an engine would draw fewer lights. */
 function checkLights({ three, lights, still }: StageScene): void {
   const named = new Set<Object3D>([...lights, ...still]);
   three.traverseVisible((object) => {

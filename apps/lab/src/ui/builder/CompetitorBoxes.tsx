@@ -18,7 +18,7 @@ interface CompetitorBoxesProps {
   onChange(chosen: readonly string[]): void;
 }
 
-/** Choice of the competitors; turns follow the order of the menu. */
+/** Checkboxes that choose the competitors; a run measures them in the order of this list. */
 export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBoxesProps) {
   const id = useId();
   const choose = (names: readonly string[], isOn: boolean): void => {

@@ -166,7 +166,7 @@ function hintsOf({ axis, lightKind = 'points', shading = 'own' }: SeriesChoice):
   return axis === 'shading' || shading === 'own' ? kind : [...kind, t(shadings[shading].help)];
 }
 
-/** Ranges in the menu (m), with the chosen one. */
+/** Ranges of lights offered in the menu (m), including the chosen range. */
 function rangesWith(chosen: number | null | undefined): number[] {
   return [...new Set([0.5, 1, 2, 4, 8, ...(chosen == null ? [] : [chosen])])].sort((a, b) => a - b);
 }

@@ -7,7 +7,7 @@ import { seriesLabel } from '../../words/seriesLabel';
 import { columnsOf, tableRows, type TableRow } from './rowColumns';
 import { sortRows, type RowOrder } from './sortRows';
 
-/** All figures of a run, with problems and warnings. A click on a column's name sorts by it. */
+/** A table of all measurements of a run, with problems and warnings. A click on a column's name sorts by the column. */
 export function RowTable({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   const [competitor, setCompetitor] = useState('');
   const [series, setSeries] = useState('');

@@ -6,7 +6,7 @@ export interface RowOrder {
   readonly isDescending: boolean;
 }
 
-/** Sorts rows by a column, then by chart, value and competitor. Rows without a figure come last in both directions. */
+/** Sorts rows by a column, then by chart, value and competitor. Rows without a value come last in both directions. */
 export function sortRows(
   rows: readonly TableRow[],
   columns: readonly RowColumn[],

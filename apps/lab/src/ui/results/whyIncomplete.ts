@@ -1,14 +1,14 @@
 import { t } from '@farol/editing';
 import type { LabRow, LabRun } from '../../results/LabRun';
 
-/** Whether a run was cancelled before its first figure; rows of competitors that cannot draw here do not count. */
+/** Whether a run was cancelled before anything was measured; rows of competitors that cannot draw do not count. */
 export function isEmptyRun({ complete, rows }: Pick<LabRun, 'complete' | 'rows'>): boolean {
   return !complete && rows.every(({ frame }) => frame === null) && !rows.some(isLate);
 }
 
 const isLate = ({ problem }: LabRow): boolean => problem?.startsWith('Not measured') ?? false;
 
-/** Reason, a sentence, why a run lacks figures of its plan; null for a complete run. */
+/** Reason, a sentence, why a run lacks measurements of its plan; null for a complete run. */
 export function whyIncomplete(run: LabRun): string | null {
   const { complete, duration, plan, rows } = run;
   if (complete) return null;

@@ -27,7 +27,7 @@ export function configurationOfPlan(plan: LabPlan): Configuration | null {
 
 const casesText = ({ series }: LabPlan): string => JSON.stringify(series.map(({ axis, cases }) => [axis, cases]));
 
-/** Size of the picture: of any series not over pixels, else of the largest case, whose aspect ratio is most exact. */
+/** Size of the picture: that of a series not along pixels, otherwise of the largest case: its aspect is most exact. */
 function sizeOf({ series }: LabPlan): { width: number; height: number } | null {
   const fixed = series.find(({ axis }) => axis !== 'pixels') ?? series[0];
   const last = fixed?.cases[fixed.cases.length - 1];

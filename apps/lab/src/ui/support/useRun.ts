@@ -19,7 +19,7 @@ export interface Running {
   readonly competitor: string | null;
   readonly series: LabSeries;
   readonly labCase: LabCase;
-  /** Last picture; null before the first one. */
+  /** The picture that a competitor drew last; null before the first picture. */
   readonly picture: ImageData | null;
   readonly isCancelled: boolean;
   /** The finished cases, as a run. */
@@ -35,7 +35,7 @@ export interface RunState {
   /**
    * Measures a plan.
    *
-   * @param prepare - makes the frames and reads the surroundings
+   * @param prepare - creates the iframes and reads the surroundings
    * @returns the run, complete or cancelled; null if it failed
    */
   start(plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null>;

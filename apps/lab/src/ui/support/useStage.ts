@@ -5,7 +5,7 @@ import { surroundingsOf } from '../../results/surroundings';
 import { messageOf } from '../../run/messageOf';
 import { createStageFrames, type StageFrames } from '../../run/StageFrames';
 
-/** The device that draws. */
+/** The graphics device and browser that draw. */
 export interface Device {
   /** Surroundings of a run that would begin now. */
   readonly surroundings: LabSurroundings;
@@ -15,18 +15,18 @@ export interface Device {
 }
 
 export interface StageState {
-  /** The device; null while the frame loads. */
+  /** The device; null while the iframe with `stage.html` loads. */
   readonly device: Device | null;
-  /** Reason, a sentence, why nothing can be measured. */
+  /** Reason, a sentence, why nothing can be measured; null if something can. */
   readonly problem: string | null;
   /** Reason, by key, why a competitor cannot draw here; null if it can, undefined while unknown. */
   readonly unavailable: Readonly<Record<string, string | null>>;
   frames(): StageFrames;
-  /** Removes the frames; the next call of `frames` creates new ones. */
+  /** Removes the iframes; the next call of `frames` creates new ones. */
   close(): void;
 }
 
-/** Frames of `stage.html`; limits of the device and of the competitors, read from the first frame. */
+/** Creates iframes with `stage.html`; the first one reports the device, and which competitors cannot draw. */
 export function useStage(): StageState {
   const made = useRef<StageFrames | null>(null);
   const [device, setDevice] = useState<Device | null>(null);

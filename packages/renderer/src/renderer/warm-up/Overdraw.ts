@@ -26,6 +26,8 @@ const MOST_POINTS = 6144;
 const MOST_PARTS = MOST_POINTS + MOST_ITEMS;
 /** Number of runs (successive items of one material and render order) beyond which nothing is estimated. */
 const MOST_RUNS = 64;
+/** Shadings of a pixel, on average, that ranks must save: three's order decides which of two equal depths is seen. */
+const LEAST_SAVED = 0.1;
 /** Clip-space w below which a point counts as behind the camera. */
 const BEHIND = 1e-3;
 
@@ -69,6 +71,7 @@ export class Overdraw {
   readonly ranks = new Map<Material, number>();
   private frames = 0;
   private parts = 0;
+  private cells = 1;
 
   /** Counts a drawn frame, and makes an estimate in every 64th. */
   follow({ camera, queue: { opaque } }: EstimatedFrame): void {
@@ -83,6 +86,7 @@ export class Overdraw {
       if (!hasFewRuns) this.place(opaque, camera, Math.ceil(opaque.length / MOST_RUNS));
       layers = this.compare();
       if (hasFewRuns) this.rank();
+      if (this.saved() < LEAST_SAVED) this.ranks.clear();
     }
     this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
     runs.length = 0;
@@ -156,6 +160,7 @@ export class Overdraw {
     for (let i = 0; i < parts; i++) keys[i] = Math.round(Math.min(depths[i], 1e6) * 1024) * MOST_PARTS + i;
     keys.subarray(0, parts).sort();
     const side = Math.max(1, Math.min(MOST_CELLS, Math.floor(Math.sqrt(parts / POINTS_A_CELL))));
+    this.cells = side * side;
     front.fill(0);
     hides.fill(0);
     let wasted = 0;
@@ -189,6 +194,22 @@ export class Overdraw {
       this.ranks.set(runs[next].material, rank);
       for (let run = next; run < runs.length; run++) if (firsts[run] === next) addWastes(run, -1);
     }
+  }
+
+  /** Mean number of shadings of a pixel that drawing by `ranks` saves against three's order. */
+  private saved(): number {
+    if (this.ranks.size === 0) return 0;
+    let saved = 0;
+    for (let one = 0; one < runs.length; one++) {
+      for (let other = 0; other < one; other++) {
+        const [a, b] = [runs[one].material, runs[other].material];
+        const isFirst = a.id < b.id;
+        if (a === b || this.ranks.get(a)! < this.ranks.get(b)! === isFirst || !isBeside(runs[one], runs[other]))
+          continue;
+        saved += (isFirst ? 1 : -1) * (hides[other * MOST_RUNS + one] - hides[one * MOST_RUNS + other]);
+      }
+    }
+    return saved / this.cells;
   }
 }
 
