@@ -1,7 +1,7 @@
 /**
  * `npm run build`: builds types and bundles of the packages, then the apps; fails if one is too large. With
- * `--tests`, it builds the browser tests' own pages too; with `--packages`, the published packages alone. The site comes last,
- * but with `--tests` and no `--site` its live modules alone: see e2e/README.md.
+ * `--tests`, it builds the browser tests' own pages too; with `--packages`, the published packages alone. The site
+ * comes last, but with `--tests` and no `--site` its live modules alone: see e2e/README.md.
  *
  * `npm run build -- --site` builds what the site needs alone; `--to FOLDER` then copies it there, for any host of
  * static files: it works from any folder of a host, and fetches nothing from elsewhere.

@@ -29,8 +29,7 @@ export function contentSecurityPolicy({ isServed = false, runsScripts = false } 
 export const policyElement = (policy) => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
 
 /**
- * Headers of a response, by path: against clickjacking, only pages of their own host may frame pages; the player's
- * pages may be framed anywhere.
+ * Headers of a response, by path: against clickjacking, only its own host may frame a page; any host the player's.
  *
  * @param {string} path
  * @returns {Record<string, string>}
