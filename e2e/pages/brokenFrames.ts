@@ -163,7 +163,7 @@ export function breakFrames(
   const names = Object.keys(faults);
   const messages: Record<string, string> = {};
   for (let i = 0; i < count; i++) {
-    // each once, then at random
+    // first each fault once, then faults at random
     const name = names[i < names.length ? i : Math.floor(next() * names.length)];
     const mend = faults[name]();
     messages[name] = messageOf(render);

@@ -162,7 +162,7 @@ export class LateCase {
     return late;
   }
 
-  /** Draws as many frames as it takes to ask for any part. @returns what is pending then */
+  /** Draws as many frames as it takes to ask for any part. @returns names of the parts that are pending then */
   drawFrames(): readonly string[] {
     for (let frame = 0; frame < FRAMES; frame++) this.draw();
     return this.bench.farol.info.pending;

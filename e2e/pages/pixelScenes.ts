@@ -87,7 +87,7 @@ function board(): PixelScene {
   return { scene, camera };
 }
 
-/** Scenes whose pixels are taken apart, each of light of other kinds. */
+/** Scenes whose pixels are taken apart into the light of each source; each has other kinds of light. */
 export const pixelScenes: Readonly<Record<string, (bench: Bench) => PixelScene>> = {
   board,
   effects: () => {

@@ -12,7 +12,7 @@ export interface StereoOptions {
   readonly lights: number;
   /** Lights with shadow maps. */
   readonly shadows: number;
-  /** Turns; in each, the modes take turns. */
+  /** Number of rounds, in each of which every mode is timed for a turn. */
   readonly rounds: number;
   /** Frames of a turn that are timed together. */
   readonly frames: number;

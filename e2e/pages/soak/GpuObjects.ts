@@ -41,7 +41,7 @@ export class GpuObjects {
     });
   }
 
-  /** While it runs, what is deleted and not alive does not reach the browser, which would warn of each. */
+  /** While `run` runs, deletions of objects that are not alive do not reach the browser, which would warn of each. */
   forgiveLost(run: () => void): void {
     this.forgives = true;
     run();

@@ -23,7 +23,7 @@ const kinds = { edit: ['whole', 'parts', 'end', 'play'], look: ['again'], allow:
  * @property {Map<string, Buffer>} assets - bytes by their SHA-256 (hex)
  */
 
-/** Compares in constant time. @param {string | null | undefined} text @param {string} secret */
+/** Compares a text with the secret in constant time. @param {string | null | undefined} text @param {string} secret */
 export function isSecret(text, secret) {
   const digest = (/** @type {string} */ each) => createHash('sha256').update(each).digest();
   return typeof text === 'string' && timingSafeEqual(digest(text), digest(secret));
@@ -276,7 +276,7 @@ function parse(text) {
 /** @param {import('ws').WebSocket} socket @param {object} message */
 const tell = (socket, message) => pass(socket, JSON.stringify(message));
 
-/** Sends a text; a page that no longer takes what it is sent is let go, and asks anew when it comes back. @param {import('ws').WebSocket} socket @param {string} text */
+/** Sends a text; ends a socket with too much unsent. @param {import('ws').WebSocket} socket @param {string} text */
 function pass(socket, text) {
   if (socket.bufferedAmount > liveLimits.unsent) socket.terminate();
   else socket.send(text, () => {});

@@ -87,7 +87,7 @@ export class Controls {
     };
   }
 
-  /** Takes a slider or a box away that means nothing for what is shown, or puts it back. */
+  /** Hides a slider or checkbox that means nothing for what is shown, or shows it again. */
   hide(name: string, isHidden: boolean): void {
     const label = this.element.querySelector<HTMLElement>(`label:has([name="${name}"])`);
     if (label !== null) label.hidden = isHidden;
