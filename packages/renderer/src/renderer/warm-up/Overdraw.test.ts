@@ -32,9 +32,12 @@ const item = (object: Mesh, route: RenderItem['route'] = 'split', renderOrder = 
   return { ...order, object, geometry, material, z: -position.z, group: null, route } as unknown as RenderItem;
 };
 
+/** Size of the picture (pixels). */
+const size = { width: 1280, height: 720 };
+
 function estimate(opaque: readonly RenderItem[], by: Camera = camera): Overdraw {
   const overdraw = new Overdraw();
-  for (let i = 0; i < 9; i++) overdraw.follow({ camera: by, queue: { opaque } });
+  for (let i = 0; i < 9; i++) overdraw.follow({ camera: by, ...size, queue: { opaque } });
   return overdraw;
 }
 
@@ -80,7 +83,7 @@ it('leaves out what no depth pre-pass draws, and what has no positions or known 
 it('is made anew every 64 frames, half of it from the one before, and for no more than 1,000 items', () => {
   const overdraw = new Overdraw();
   const follow = (opaque: readonly RenderItem[], frames: number) => {
-    for (let i = 0; i < frames; i++) overdraw.follow({ camera, queue: { opaque } });
+    for (let i = 0; i < frames; i++) overdraw.follow({ camera, ...size, queue: { opaque } });
     return overdraw.layers;
   };
   const layers = depths.map((depth) => item(quad(depth)));
@@ -102,6 +105,11 @@ it('ranks materials so that what hides others is drawn before them', () => {
   expect(ranked(steps), 'where none may change places').toEqual([]);
   expect(ranked([item(quad(20, first)), item(quad(10, second, 4, 4))]), 'little to save').toEqual([]);
   expect(ranked([item(quad(20, second)), item(quad(10, first))]), "three's order is as good").toEqual([]);
+  const small = new Overdraw();
+  for (let i = 0; i < 9; i++) {
+    small.follow({ camera, width: 160, height: 90, queue: { opaque: meshes.map((mesh) => item(mesh)) } });
+  }
+  expect(small.ranks.size, 'few pixels').toBe(0);
   const changing = Array.from({ length: 65 }, (_, i) => item(quad(5 + i, [first, second][i % 2])));
   expect(ranked(changing), 'too many changes of material').toEqual([]);
   expect(estimate(changing.toReversed()).layers, 'which are counted all the same').toBeGreaterThan(30);

@@ -26,14 +26,17 @@ const MOST_POINTS = 6144;
 const MOST_PARTS = MOST_POINTS + MOST_ITEMS;
 /** Number of runs (successive items of one material and render order) beyond which nothing is estimated. */
 const MOST_RUNS = 64;
-/** Shadings of a pixel, on average, that ranks must save: three's order decides which of two equal depths is seen. */
-const LEAST_SAVED = 0.1;
+/** Number of shaded pixels (0.5 ns each) that ranks must save, since three's order decides which of two equal depths is seen. */
+const LEAST_SAVED = 50_000;
 /** Clip-space w below which a point counts as behind the camera. */
 const BEHIND = 1e-3;
 
 /** Parts of a frame that an estimate reads. */
 export interface EstimatedFrame {
   readonly camera: Camera;
+  /** Size of the picture (pixels). */
+  readonly width: number;
+  readonly height: number;
   readonly queue: { readonly opaque: readonly RenderItem[] };
 }
 
@@ -74,7 +77,7 @@ export class Overdraw {
   private cells = 1;
 
   /** Counts a drawn frame, and makes an estimate in every 64th. */
-  follow({ camera, queue: { opaque } }: EstimatedFrame): void {
+  follow({ camera, width, height, queue: { opaque } }: EstimatedFrame): void {
     const frame = this.frames++ % INTERVAL;
     if (frame < AHEAD && opaque.length <= MOST_ITEMS)
       for (let i = frame; i < opaque.length; i += AHEAD) geometryPoints(opaque[i]);
@@ -86,7 +89,7 @@ export class Overdraw {
       if (!hasFewRuns) this.place(opaque, camera, Math.ceil(opaque.length / MOST_RUNS));
       layers = this.compare();
       if (hasFewRuns) this.rank();
-      if (this.saved() < LEAST_SAVED) this.ranks.clear();
+      if (this.saved() * width * height < LEAST_SAVED) this.ranks.clear();
     }
     this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
     runs.length = 0;
