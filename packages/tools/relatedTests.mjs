@@ -5,7 +5,7 @@ const house = ['importDirection', 'importCircles', 'noClocks', 'shaderLines', 's
 
 /**
  * Unit tests that a change is likely to break: those in the folder of a changed file, those that import it, and the
- * tests of files that import it (`X.test.ts` of `X.ts`).
+ * tests of files that import it (the unit test beside each).
  *
  * @param {readonly string[]} changed - paths from the repository's root, with `/`
  * @param {ReadonlyMap<string, string>} files - source of all TypeScript files, by path

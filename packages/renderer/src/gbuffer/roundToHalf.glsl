@@ -4,5 +4,5 @@
 //? farol_roundToHalf(vec2(1.0, 0.0)) == vec2(1.0, 0.0)
 vec2 farol_roundToHalf(const in vec2 value) {
   vec2 rounded = uintBitsToFloat((floatBitsToUint(value) + 0x1000u) & 0xFFFFE000u);
-  return all(lessThanEqual(abs(value), vec2(65504.0))) ? rounded : value; // values that exceed half floats are unchanged
+  return all(lessThanEqual(abs(value), vec2(65504.0))) ? rounded : value; // beyond half floats: unchanged
 }

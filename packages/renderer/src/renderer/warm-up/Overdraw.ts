@@ -207,7 +207,7 @@ export class Overdraw {
       for (let other = 0; other < one; other++) {
         const [a, b] = [runs[one].material, runs[other].material];
         const isFirst = a.id < b.id;
-        if (a === b || this.ranks.get(a)! < this.ranks.get(b)! === isFirst || !isBeside(runs[one], runs[other]))
+        if (a === b || isFirst === this.ranks.get(a)! < this.ranks.get(b)! || !isBeside(runs[one], runs[other]))
           continue;
         saved += (isFirst ? 1 : -1) * (hides[other * MOST_RUNS + one] - hides[one * MOST_RUNS + other]);
       }
