@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import type { FloatImage } from './images';
 
-/** `window` of a live module's page that was opened with `&still`; apps/site/live/still. */
+/** `window` of a page with an example of the site whose clock stands still (`&still`), see apps/site/live/still. */
 interface LiveWindow {
   still: {
     run(step: number, frames: number): Promise<void>;

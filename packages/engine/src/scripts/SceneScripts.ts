@@ -17,7 +17,7 @@ import { placeOfError } from './scriptUrl';
 export interface SceneScriptsOptions {
   /** Modules that scripts can import besides each other, by name: 'three', '@farol/engine', '@farol/engine/fields'. */
   readonly modules: Readonly<Record<string, object>>;
-  /** Returns the function of a compiled script: `runInPage`, or a substitute in tests. */
+  /** Runner that makes a compiled script into its function; `runInPage`, or a substitute in tests. */
   readonly run: ScriptRunner;
   /** `compileScript`, or a function that returns precompiled scripts. */
   readonly compile: (name: string, source: string) => Promise<CompiledScript | ScriptError>;

@@ -20,7 +20,7 @@ export interface RenderItem extends RenderListItem {
   rank: number;
   shading: ItemShading;
   route: ItemRoute;
-  /** Whether the host, or a `surface` (GLSL that sets material inputs), changes the material's shader. */
+  /** Whether the page, or a Farol surface (GLSL that sets material inputs), changes the material's shader. */
   ownShader: boolean;
   /** Whether its layers differ from most objects', so that other lights reach it and it is drawn forward. */
   layered: boolean;

@@ -211,7 +211,7 @@ vec4 farol_maskCoord(const in int record, const in FarolMask mask, const in bool
   return farol_maskMatrix(record) * vec4(positionVS + shift, 1.0);
 }
 
-// 1 in the light, 0 in full shadow; without branches if all shadow maps so far are PCF
+// 1 in the light, 0 in full shadow; without branches while PCF is the only kind of shadow map in use
 float farol_litAt(const in int record, const in FarolMask mask, const in bool isPoint, const in vec4 coord) {
 #ifdef FAROL_UNSHADOWED_MASKS
   if (mask.lookup == FAROL_LOOKUP_NONE) return 1.0;

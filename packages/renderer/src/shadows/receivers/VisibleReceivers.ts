@@ -231,7 +231,7 @@ function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   return more;
 }
 
-/** True when the visible parts of a light's map cover the part of a group's box within range; widens them if little is missing. */
+/** True when a shadow map's visible parts contain a group of receivers within the light's range; widens them by a little. */
 function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   const isLeaf = groups[at + 6] === groups[at + 7];
   if (isLeaf) hold(slot, groups, at);

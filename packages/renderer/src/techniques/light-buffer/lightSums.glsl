@@ -6,7 +6,7 @@
 struct FarolLightSums {
   // physical: sum of c N·L (1 - f), f: Schlick's fifth power; else sum of c N·L and of the lights' ambient
   vec3 diffuse;
-  // physical: ambient parts of lights and diffuse light of area lights; where F90 is below 1, sum of c N·L f
+  // physical: ambient parts of lights and diffuse light of area lights, plus sum of c N·L f where F90 is below 1
   vec3 rest;
   vec3 specularF0; // sum of c N·L V D (1 - f)
   vec3 specularF90; // sum of c N·L V D f
