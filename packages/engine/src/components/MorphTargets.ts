@@ -25,7 +25,7 @@ export const morphTargetFields = {
   }),
 };
 
-/** Where one mesh stores its weight of a morph target: `influences[index]`. */
+/** Weight of a morph target of one mesh, stored in `influences[index]`. */
 interface Use {
   readonly influences: number[];
   readonly index: number;

@@ -267,7 +267,7 @@ export class Frame extends FrameTarget {
     else this.drawItem(item, material);
   }
 
-  /** Has three draw an item of a node material, unless it is drawn already. */
+  /** Lets three draw an item of a node material, unless it is drawn already. */
   drawNodes(item: RenderItem): void {
     if (item.drawn) return;
     this.nodes ??= this.late.makeNodes();
