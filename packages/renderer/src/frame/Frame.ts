@@ -217,9 +217,14 @@ export class Frame extends FrameTarget {
   }
 
   /** Whether three clears the depth of the host's target for this frame. */
-  get clearsDepth(): boolean {
+  private get clearsDepth(): boolean {
     const { webgl, scene } = this;
     return (webgl.autoClear || (scene.background as Color | null)?.isColor === true) && webgl.autoClearDepth;
+  }
+
+  /** Begins draws of opaque items, each once, to the host's target, as `RenderQueue.beginOrder`. */
+  beginOrder(): readonly RenderItem[] {
+    return this.clearsDepth ? this.queue.beginOrder() : this.queue.opaque;
   }
 
   /**

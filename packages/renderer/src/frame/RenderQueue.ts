@@ -82,6 +82,8 @@ export class RenderQueue {
   /** Items whose material has a lower id are hidden by surfaces of equal depth, see `beginOrder`; 0 for none. */
   pivot = 0;
   private camera!: Camera;
+  /** Distance (m) given to `watchFar`. */
+  private cleared = Infinity;
   /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
   /** Materials that only three's own lights can light. */
@@ -119,7 +121,7 @@ export class RenderQueue {
   /** Tests opaque items, from the next `clear` on, for objects beyond a distance along the view (m). */
   watchFar(camera: Camera, distance: number): void {
     this.camera = camera;
-    this.farthest = distance;
+    this.farthest = this.cleared = distance;
   }
 
   push(
@@ -166,7 +168,8 @@ export class RenderQueue {
     if (list === this.opaque) {
       // a polygon offset shifts depth, so positions cannot be computed from it
       if (material.polygonOffset) this.farthest = -Infinity;
-      if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
+      if (!this.reachesFar && this.farthest !== Infinity)
+        this.reachesFar = this.reaches(object, geometry, this.farthest);
     }
     if (lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!isPlain(item) || ownShader)) this.covers = false;
@@ -205,13 +208,13 @@ export class RenderQueue {
     return lit ? 'lit' : 'shadow-mask';
   }
 
-  /** Whether an object's bounding sphere extends beyond `farthest`. True without a sphere. */
-  private reaches(object: Object3D, geometry: BufferGeometry): boolean {
+  /** Whether an object's bounding sphere extends beyond a distance (m). True without a sphere. */
+  private reaches(object: Object3D, geometry: BufferGeometry, distance: number): boolean {
     const sphere = (object as Object3D & Partial<BufferGeometry>).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
     const { matrixWorld } = object;
     const { z } = center.copy(sphere.center).applyMatrix4(matrixWorld).applyMatrix4(this.camera.matrixWorldInverse);
-    return !(sphere.radius * matrixWorld.getMaxScaleOnAxis() - z <= this.farthest);
+    return !(sphere.radius * matrixWorld.getMaxScaleOnAxis() - z <= distance);
   }
 
   /** Ends the lists, and drops references to objects of earlier, larger frames. */
@@ -258,8 +261,15 @@ export class RenderQueue {
     const { opaque, order } = this;
     const items = this.mayReorder && order !== null ? order.sort(opaque) : null;
     if (items === null) return opaque;
-    this.pivot = order!.pivot;
+    const { pivot } = order!;
+    for (let i = 0; i < items.length; i++) if (items[i].material.id < pivot && this.isFar(items[i])) return opaque;
+    this.pivot = pivot;
     return items;
+  }
+
+  /** Whether an item's depth may equal the cleared depth, so that LessDepth would hide it. */
+  isFar({ material, object, geometry }: RenderItem): boolean {
+    return material.polygonOffset || this.reaches(object, geometry, this.cleared);
   }
 
   endOrder(): void {

@@ -62,7 +62,7 @@ export class ForwardPass implements Pass {
     const twins = (frame.fields?.twinsFor(this.loop) ?? this.twins)(frame.view);
     const outside = (frame.fields?.twinsFor(this.loopOutside) ?? this.outside)(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
-    for (const item of this.isFirst && frame.clearsDepth ? queue.beginOrder() : queue[this.list]) {
+    for (const item of this.isFirst ? frame.beginOrder() : queue[this.list]) {
       const isInside = twins === outside || (item.route === 'split' && hasDepthTwin(item.material));
       this.draw(frame, item, isInside ? twins : outside, onlyLit);
     }

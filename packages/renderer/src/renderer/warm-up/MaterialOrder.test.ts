@@ -15,8 +15,10 @@ function randomWastes(count: number): Float64Array {
   return wastes;
 }
 
+/** Waste of an order; below its first material, items of one material are drawn from far to near. */
 function wasteOf(order: readonly number[], wastes: Float64Array): number {
   let waste = 0;
+  for (const one of order) if (one < order[0]) waste += wastes[one * MOST_MATERIALS + one];
   order.forEach((one, i) => order.slice(i + 1).forEach((other) => (waste += wastes[one * MOST_MATERIALS + other])));
   return waste;
 }
@@ -54,8 +56,11 @@ it('wastes least of all orders that grow by neighbours', () => {
   expect(order.sort([item(1, 0)]), 'no materials').toBeNull();
 });
 
+const materials = new Map<number, RenderItem['material']>();
+
 const item = (id: number, z: number, more: Partial<RenderItem> = {}): RenderItem => {
-  const material = { id, transparent: false } as RenderItem['material'];
+  const material = materials.get(id) ?? ({ id, transparent: false } as RenderItem['material']);
+  materials.set(id, material);
   const object = new Mesh(undefined, material);
   return { object, material, groupOrder: 0, renderOrder: 0, z, shading: 'lit', ...more } as RenderItem;
 };
@@ -72,18 +77,21 @@ function draw(items: readonly RenderItem[], pivot: number, depths: ReadonlyMap<R
   return seen.map((pixel) => pixel.item);
 }
 
-it('shows, of items of several materials at one depth, the one that three shows, also of materials that it does not know', () => {
+it('shows, of items at one depth, the one that three shows, also of materials that it does not know', () => {
   const order = new MaterialOrder();
   let moved = 0;
   for (let trial = 0; trial < 500; trial++) {
     const count = 1 + random(10);
-    const all = indices(count + random(6)).map((i) => item(3 * i + random(3), 0));
-    const known = all.filter(() => random(3) > 0).map(({ material }) => material.id);
+    const all = indices(count + random(6)).flatMap((i) => {
+      const id = 3 * i + random(3);
+      return indices(1 + random(3)).map((z) => item(id, z));
+    });
+    const known = [...new Set(all.map(({ material }) => material.id))].filter(() => random(3) > 0);
     order.find(known, known.length, randomWastes(known.length));
     const depths = new Map(all.map((one) => [one, indices(12).map(() => (random(4) === 0 ? NaN : random(3)))]));
     const sorted = order.sort(all) ?? all;
-    expect(sorted.toSorted((a, b) => a.material.id - b.material.id)).toEqual(all);
-    if (String(sorted) !== String(all) || sorted.some((one, i) => one !== all[i])) moved++;
+    expect(new Set(sorted)).toEqual(new Set(all));
+    if (sorted.some((one, i) => one !== all[i])) moved++;
     expect(draw(sorted, order.pivot, depths)).toEqual(draw(all, 0, depths));
   }
   expect(moved).toBeGreaterThan(300);
@@ -96,7 +104,7 @@ it("leaves three's order to items of several render orders, blended or node mate
   order.find([4, 8], 2, wastes);
   const [low, high] = [item(4, 1), item(8, 2)];
   const near = item(4, 0.5);
-  expect(order.sort([near, low, high])).toEqual([high, near, low]);
+  expect(order.sort([near, low, high])).toEqual([high, low, near]);
   expect(order.sort([])).toBeNull();
   expect(order.sort([low, item(8, 0, { renderOrder: 1 })])).toBeNull();
   expect(order.sort([low, item(8, 0, { groupOrder: 1 })])).toBeNull();

@@ -32,14 +32,15 @@ export class MaterialOrder implements Order {
   /**
    * Finds the order, by dynamic programming over intervals of ids.
    * @param ids - ids of materials, ascending
-   * @param wastes - shading wasted if one material is drawn before another, at index one × MOST_MATERIALS + other
+   * @param wastes - shading wasted if one material is drawn before another, at index one × MOST_MATERIALS + other; if both are
+   *   the same, by its own items from far to near
    * @returns shading that the order saves against three's
    */
   find(ids: ArrayLike<number>, count: number, wastes: Float64Array): number {
     afterLower.fill(0);
     for (let low = count - 1; low >= 0; low--) {
       const row = low * MOST_MATERIALS;
-      let afterHigher = 0;
+      let afterHigher = wastes[row + low];
       least[row + low] = 0;
       for (let high = low + 1; high < count; high++) {
         afterHigher += wastes[high * MOST_MATERIALS + low];
@@ -89,7 +90,9 @@ export class MaterialOrder implements Order {
     let drawn = 0;
     for (let at = 0; at < materials; at++) {
       const { material } = opaque[starts[at]];
+      const from = drawn;
       for (let i = starts[at]; i < opaque.length && opaque[i].material === material; i++) items[drawn++] = opaque[i];
+      if (material.id < this.pivot) reverse(items, from, drawn - 1);
     }
     items.length = drawn;
     return items;
@@ -103,6 +106,14 @@ export class MaterialOrder implements Order {
     else while (at < count && ids[at] < id) at++;
     if (at >= 0 && at < count) return this.ranks[at] - Math.abs(ids[at] - id) * STEP;
     return count + Math.abs(id - pivot) * STEP;
+  }
+}
+
+function reverse(items: RenderItem[], from: number, to: number): void {
+  for (; from < to; from++, to--) {
+    const item = items[from];
+    items[from] = items[to];
+    items[to] = item;
   }
 }
 

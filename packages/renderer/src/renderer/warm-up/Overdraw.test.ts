@@ -37,7 +37,7 @@ const size = { width: 1280, height: 720 };
 
 function estimate(opaque: readonly RenderItem[], by: Camera = camera): Overdraw {
   const overdraw = new Overdraw();
-  for (let i = 0; i < 9; i++) overdraw.follow({ camera: by, ...size, queue: { opaque } });
+  for (let i = 0; i < 9; i++) overdraw.follow({ camera: by, ...size, queue: { opaque, isFar: () => false } });
   return overdraw;
 }
 
@@ -83,7 +83,7 @@ it('leaves out what no depth pre-pass draws, and what has no positions or known 
 it('is made anew every 64 frames, half of it from the one before, and for no more than 1,000 items', () => {
   const overdraw = new Overdraw();
   const follow = (opaque: readonly RenderItem[], frames: number) => {
-    for (let i = 0; i < frames; i++) overdraw.follow({ camera, ...size, queue: { opaque } });
+    for (let i = 0; i < frames; i++) overdraw.follow({ camera, ...size, queue: { opaque, isFar: () => false } });
     return overdraw.layers;
   };
   const layers = depths.map((depth) => item(quad(depth)));
@@ -98,7 +98,7 @@ it('is made anew every 64 frames, half of it from the one before, and for no mor
 
 it('orders materials so that what hides others is drawn before them', () => {
   const [first, second, third] = [0, 1, 2].map(() => new MeshStandardMaterial());
-  const meshes = [quad(10, first), quad(20, second), quad(30, second), quad(5, third)];
+  const meshes = [quad(10, first), quad(20, second), quad(5, third), quad(6, third)];
   const ordered = (items: RenderItem[]) => {
     const { order } = estimate(items);
     return order && [first, second, third].toSorted((a, b) => order.rankOf(a.id) - order.rankOf(b.id));
@@ -111,7 +111,12 @@ it('orders materials so that what hides others is drawn before them', () => {
   expect(ordered([item(quad(20, second)), item(quad(10, first))]), "the host's order").toBeNull();
   const small = new Overdraw();
   for (let i = 0; i < 9; i++) {
-    small.follow({ camera, width: 80, height: 45, queue: { opaque: meshes.map((mesh) => item(mesh)) } });
+    small.follow({
+      camera,
+      width: 80,
+      height: 45,
+      queue: { opaque: meshes.map((mesh) => item(mesh)), isFar: () => false },
+    });
   }
   expect(small.order, 'few pixels').toBeNull();
   const changing = Array.from({ length: 65 }, (_, i) => item(quad(5 + i, [first, second][i % 2])));

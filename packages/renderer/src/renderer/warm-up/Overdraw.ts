@@ -9,6 +9,7 @@ import {
   type Object3D,
 } from 'three';
 import type { RenderItem } from '../../frame/RenderItem';
+import type { RenderQueue } from '../../frame/RenderQueue';
 import { isBeside, MaterialOrder, MOST_MATERIALS } from './MaterialOrder';
 import { geometryPoints, POINT, POINTS, surfacePoints } from './surfacePoints';
 
@@ -37,7 +38,7 @@ export interface EstimatedFrame {
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
-  readonly queue: { readonly opaque: readonly RenderItem[] };
+  readonly queue: { readonly opaque: readonly RenderItem[]; readonly isFar: RenderQueue['isFar'] };
 }
 
 const toView = new Matrix4();
@@ -54,6 +55,10 @@ const keys = new Float64Array(MOST_PARTS);
 const runs: RenderItem[] = [];
 /** Place of each run in the order of draws: a run is drawn after those of lower places. */
 const places = new Float64Array(MOST_RUNS);
+/** Number of items of each run. */
+const lengths = new Uint16Array(MOST_RUNS);
+/** 1 for a run whose items are drawn from far to near. */
+const isReversed = new Uint8Array(MOST_RUNS);
 /** Index of each run's material in `ids`. */
 const materialOf = new Uint8Array(MOST_RUNS);
 /** Ids of the runs' materials, ascending. */
@@ -82,7 +87,8 @@ export class Overdraw {
   private cells = 1;
 
   /** Counts a drawn frame, and makes an estimate in every 64th. */
-  follow({ camera, width, height, queue: { opaque } }: EstimatedFrame): void {
+  follow({ camera, width, height, queue }: EstimatedFrame): void {
+    const { opaque } = queue;
     const frame = this.frames++ % INTERVAL;
     if (frame < AHEAD && opaque.length <= MOST_ITEMS)
       for (let i = frame; i < opaque.length; i += AHEAD) geometryPoints(opaque[i]);
@@ -93,7 +99,8 @@ export class Overdraw {
       const hasFewRuns = this.place(opaque, camera, 0);
       if (!hasFewRuns) this.place(opaque, camera, Math.ceil(opaque.length / MOST_RUNS));
       layers = this.compare();
-      if (hasFewRuns && runs.length > 0 && isBeside(opaque[0], opaque[opaque.length - 1])) saved = this.findOrder();
+      if (hasFewRuns && runs.length > 0 && isBeside(opaque[0], opaque[opaque.length - 1]))
+        saved = this.findOrder(queue);
     }
     this.order = saved * width * height < LEAST_SAVED ? null : this.found;
     this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
@@ -118,8 +125,11 @@ export class Overdraw {
       if (last === null || (size > 0 ? i % size === 0 : !isAlike)) {
         if (runs.length === MOST_RUNS) return false;
         places[runs.length] = (this.order?.rankOf(item.material.id) ?? 0) * MOST_RUNS + runs.length;
+        lengths[runs.length] = 0;
         runs.push(item);
       }
+      const run = runs.length - 1;
+      isReversed[run] = ++lengths[run] > 1 && this.order !== null && item.material.id < this.order.pivot ? 1 : 0;
       last = item;
       this.placeItem(item, camera, step);
     }
@@ -175,7 +185,7 @@ export class Overdraw {
       const own = runOf[part];
       const share = areas[part] * side * side;
       const cell = (Math.floor(rows[part] * side) * side + Math.floor(columns[part] * side)) * MOST_RUNS;
-      let later = 0;
+      let later = isReversed[own] * front[cell + own];
       for (let run = 0; run < runs.length; run++) {
         hides[run * MOST_RUNS + own] += share * front[cell + run];
         if (places[run] > places[own]) later += front[cell + run];
@@ -187,7 +197,7 @@ export class Overdraw {
   }
 
   /** Finds the order of the runs' materials. @returns mean number of shadings of a pixel that it saves against three's order */
-  private findOrder(): number {
+  private findOrder(queue: EstimatedFrame['queue']): number {
     let count = 0;
     wastes.fill(0);
     for (let run = 0; run < runs.length; run++) {
@@ -198,8 +208,14 @@ export class Overdraw {
     }
     for (let run = 0; run < runs.length; run++) {
       const row = materialOf[run] * MOST_RUNS;
-      for (let other = 0; other < runs.length; other++)
-        wastes[row + materialOf[other]] += hides[other * MOST_RUNS + run];
+      for (let other = 0; other < runs.length; other++) {
+        if (run !== other || lengths[run] > 1) wastes[row + materialOf[other]] += hides[other * MOST_RUNS + run];
+      }
+    }
+    for (const item of queue.opaque) {
+      // must not be drawn by LessDepth
+      const material = ids.indexOf(item.material.id);
+      if (material >= 0 && material < count && queue.isFar(item)) wastes[material * MOST_RUNS + material] = Infinity;
     }
     return this.found.find(ids, count, wastes) / this.cells;
   }
