@@ -252,7 +252,7 @@ export class RenderQueue {
   }
 
   /**
-   * Begins draws of opaque items, each once, over depth that no item has written. Call `endOrder` after them. three shows the
+   * Begins draws of opaque items, each once, over depth that no item has written. Set `pivot` to 0 after them. three shows the
    * item drawn last of those at one depth, which is that of the highest material id; an item below the pivot comes after
    * items of higher ids alone, and must be hidden by them: `Frame.drawItem` draws it by LessDepth.
    * @returns items in the order in which to draw them
@@ -268,13 +268,8 @@ export class RenderQueue {
   }
 
   /** Whether an item's depth may equal the cleared depth, so that LessDepth would hide it. */
-  isFar({ material, object, geometry }: RenderItem): boolean {
-    return material.polygonOffset || this.reaches(object, geometry, this.cleared);
-  }
-
-  endOrder(): void {
-    this.pivot = 0;
-  }
+  readonly isFar = ({ material, object, geometry }: RenderItem): boolean =>
+    material.polygonOffset || this.reaches(object, geometry, this.cleared);
 
   /** @param reversed - whether to reverse the sorted lists, as three up to 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {

@@ -32,7 +32,7 @@ export class OverdrawPass {
       }
     }
     this.count(frame, depthFirst ? frame.queue.opaque : frame.queue.beginOrder());
-    frame.queue.endOrder();
+    frame.queue.pivot = 0;
     this.count(frame, frame.queue.transmissive);
     this.count(frame, frame.queue.transparent);
     frame.resources.put('overdraw', target.texture);

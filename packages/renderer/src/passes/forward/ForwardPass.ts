@@ -66,7 +66,7 @@ export class ForwardPass implements Pass {
       const isInside = twins === outside || (item.route === 'split' && hasDepthTwin(item.material));
       this.draw(frame, item, isInside ? twins : outside, onlyLit);
     }
-    queue.endOrder();
+    queue.pivot = 0;
     if (this.list === 'opaque' && frame.fills === 'behind') this.background.draw(frame);
   }
 

@@ -29,7 +29,7 @@ export class GBufferPass implements Pass {
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }
-    frame.queue.endOrder();
+    frame.queue.pivot = 0;
     frame.resources.put('gbuffer', gbuffer);
     frame.resources.put('scene-depth', gbuffer.depth);
   }

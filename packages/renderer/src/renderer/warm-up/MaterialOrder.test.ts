@@ -41,8 +41,8 @@ it('wastes least of all orders that grow by neighbours', () => {
     const count = 1 + (trial % 8);
     const wastes = randomWastes(count);
     const ids = indices(count).map((i) => 10 * i);
-    const saved = order.find(ids, count, wastes);
-    const found = indices(count).toSorted((a, b) => order.rankOf(ids[a]) - order.rankOf(ids[b]));
+    const saved = order.find(ids, wastes);
+    const found = indices(count).toSorted((a, b) => order.rankOf(item(ids[a], 0)) - order.rankOf(item(ids[b], 0)));
     const all = count === 1 ? [[0]] : growing(0, count - 1);
     expect(all.map(String)).toContain(String(found));
     const least = Math.min(...all.map((one) => wasteOf(one, wastes)));
@@ -52,8 +52,6 @@ it('wastes least of all orders that grow by neighbours', () => {
     if (saved > 0) gains++;
   }
   expect(gains).toBeGreaterThan(100);
-  expect(order.find([], 0, randomWastes(0))).toBe(0);
-  expect(order.sort([item(1, 0)]), 'no materials').toBeNull();
 });
 
 const materials = new Map<number, RenderItem['material']>();
@@ -86,22 +84,23 @@ it('shows, of items at one depth, the one that three shows, also of materials th
       const id = 3 * i + random(3);
       return indices(1 + random(3)).map((z) => item(id, z));
     });
-    const known = [...new Set(all.map(({ material }) => material.id))].filter(() => random(3) > 0);
-    order.find(known, known.length, randomWastes(known.length));
+    const ids = [...new Set(all.map(({ material }) => material.id))];
+    const known = ids.filter((_, i) => i === 0 || random(3) > 0);
+    order.find(known, randomWastes(known.length));
     const depths = new Map(all.map((one) => [one, indices(12).map(() => (random(4) === 0 ? NaN : random(3)))]));
     const sorted = order.sort(all) ?? all;
     expect(new Set(sorted)).toEqual(new Set(all));
     if (sorted.some((one, i) => one !== all[i])) moved++;
     expect(draw(sorted, order.pivot, depths)).toEqual(draw(all, 0, depths));
   }
-  expect(moved).toBeGreaterThan(300);
+  expect(moved).toBeGreaterThan(200);
 });
 
-it("leaves three's order to items of several render orders, blended or node materials, and too many materials", () => {
+it("leaves three's order to items of several render orders, and of blended or node materials", () => {
   const order = new MaterialOrder();
   const wastes = new Float64Array(MOST_MATERIALS ** 2);
   wastes[1] = 1; // the first material is hidden by the second
-  order.find([4, 8], 2, wastes);
+  order.find([4, 8], wastes);
   const [low, high] = [item(4, 1), item(8, 2)];
   const near = item(4, 0.5);
   expect(order.sort([near, low, high])).toEqual([high, low, near]);
@@ -110,5 +109,4 @@ it("leaves three's order to items of several render orders, blended or node mate
   expect(order.sort([low, item(8, 0, { groupOrder: 1 })])).toBeNull();
   expect(order.sort([low, item(8, 0, { shading: 'nodes' })])).toBeNull();
   expect(order.sort([low, item(8, 0, { material: new MeshBasicMaterial({ transparent: true }) })])).toBeNull();
-  expect(order.sort(indices(MOST_MATERIALS + 1).map((id) => item(id, 0)))).toBeNull();
 });

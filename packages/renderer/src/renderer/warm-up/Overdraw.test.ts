@@ -101,7 +101,10 @@ it('orders materials so that what hides others is drawn before them', () => {
   const meshes = [quad(10, first), quad(20, second), quad(5, third), quad(6, third)];
   const ordered = (items: RenderItem[]) => {
     const { order } = estimate(items);
-    return order && [first, second, third].toSorted((a, b) => order.rankOf(a.id) - order.rankOf(b.id));
+    return (
+      order &&
+      [first, second, third].toSorted((a, b) => order.rankOf(item(quad(1, a))) - order.rankOf(item(quad(1, b))))
+    );
   };
   expect(ordered(meshes.map((mesh) => item(mesh)))).toEqual([third, second, first]);
   const steps = meshes.map((mesh, i) => item(mesh, 'split', i));

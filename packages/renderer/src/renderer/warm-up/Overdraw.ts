@@ -55,14 +55,8 @@ const keys = new Float64Array(MOST_PARTS);
 const runs: RenderItem[] = [];
 /** Place of each run in the order of draws: a run is drawn after those of lower places. */
 const places = new Float64Array(MOST_RUNS);
-/** Number of items of each run. */
-const lengths = new Uint16Array(MOST_RUNS);
-/** 1 for a run whose items are drawn from far to near. */
-const isReversed = new Uint8Array(MOST_RUNS);
-/** Index of each run's material in `ids`. */
+/** Index of each run's material, in the order of ids. */
 const materialOf = new Uint8Array(MOST_RUNS);
-/** Ids of the runs' materials, ascending. */
-const ids = new Float64Array(MOST_RUNS);
 /** Area of a material (cells) that another one hides, at index material × MOST_RUNS + other. */
 const wastes = new Float64Array(MOST_RUNS * MOST_RUNS);
 /** Share of each cell that the nearer parts of each run cover, 0 to 1. */
@@ -124,12 +118,9 @@ export class Overdraw {
       const isAlike = last?.material === item.material && isBeside(last, item) && last.z <= item.z;
       if (last === null || (size > 0 ? i % size === 0 : !isAlike)) {
         if (runs.length === MOST_RUNS) return false;
-        places[runs.length] = (this.order?.rankOf(item.material.id) ?? 0) * MOST_RUNS + runs.length;
-        lengths[runs.length] = 0;
+        places[runs.length] = (this.order?.rankOf(item) ?? 0) * MOST_RUNS + runs.length;
         runs.push(item);
       }
-      const run = runs.length - 1;
-      isReversed[run] = ++lengths[run] > 1 && this.order !== null && item.material.id < this.order.pivot ? 1 : 0;
       last = item;
       this.placeItem(item, camera, step);
     }
@@ -185,7 +176,7 @@ export class Overdraw {
       const own = runOf[part];
       const share = areas[part] * side * side;
       const cell = (Math.floor(rows[part] * side) * side + Math.floor(columns[part] * side)) * MOST_RUNS;
-      let later = isReversed[own] * front[cell + own];
+      let later = 0;
       for (let run = 0; run < runs.length; run++) {
         hides[run * MOST_RUNS + own] += share * front[cell + run];
         if (places[run] > places[own]) later += front[cell + run];
@@ -197,27 +188,26 @@ export class Overdraw {
   }
 
   /** Finds the order of the runs' materials. @returns mean number of shadings of a pixel that it saves against three's order */
-  private findOrder(queue: EstimatedFrame['queue']): number {
-    let count = 0;
+  private findOrder({ opaque, isFar }: EstimatedFrame['queue']): number {
+    const ids: number[] = [];
     wastes.fill(0);
     for (let run = 0; run < runs.length; run++) {
       const { id } = runs[run].material;
-      if (count > 0 && id < ids[count - 1]) return 0; // the host has an order of its own
-      if (count === 0 || id > ids[count - 1]) ids[count++] = id;
-      materialOf[run] = count - 1;
-    }
-    for (let run = 0; run < runs.length; run++) {
-      const row = materialOf[run] * MOST_RUNS;
-      for (let other = 0; other < runs.length; other++) {
-        if (run !== other || lengths[run] > 1) wastes[row + materialOf[other]] += hides[other * MOST_RUNS + run];
+      if (id < ids[ids.length - 1]) return 0; // the host has an order of its own
+      if (ids[ids.length - 1] !== id) ids.push(id);
+      materialOf[run] = ids.length - 1;
+      for (let other = 0; other <= run; other++) {
+        const [one, two] = [materialOf[run], materialOf[other]];
+        wastes[one * MOST_RUNS + two] += hides[other * MOST_RUNS + run];
+        if (run !== other) wastes[two * MOST_RUNS + one] += hides[run * MOST_RUNS + other];
       }
     }
-    for (const item of queue.opaque) {
-      // must not be drawn by LessDepth
+    for (const item of opaque) {
       const material = ids.indexOf(item.material.id);
-      if (material >= 0 && material < count && queue.isFar(item)) wastes[material * MOST_RUNS + material] = Infinity;
+      // must not be drawn by LessDepth
+      if (material >= 0 && isFar(item)) wastes[material * (MOST_RUNS + 1)] = Infinity;
     }
-    return this.found.find(ids, count, wastes) / this.cells;
+    return this.found.find(ids, wastes) / this.cells;
   }
 }
 

@@ -36,7 +36,7 @@ export class LitMaterialsPass implements Pass {
         items[i].drawn = true;
       }
     } finally {
-      frame.queue.endOrder();
+      frame.queue.pivot = 0;
       resetObject(frame.gl);
     }
   }

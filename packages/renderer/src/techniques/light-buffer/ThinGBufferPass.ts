@@ -83,7 +83,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
         frame.drawTwin(item, this.twins.opaque);
         items.push(item);
       }
-      frame.queue.endOrder();
+      frame.queue.pivot = 0;
       if (this.options.stipple) this.drawTransparent(frame);
     } finally {
       resetObject(frame.gl);
