@@ -1,7 +1,9 @@
 import type { Difference } from '../support/images';
 import { expect, test } from '../support/benchTest';
 
-test('thousands of point lights, which the GPU sorts, look as when the CPU sorts them', async ({ benchPage: page }) => {
+test('thousands of point lights, which the GPU sorts, look as when the CPU sorts them @verify', async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(async () => {
     const { Bench, compareImages, three } = window.testPage;
     const width = 48;
