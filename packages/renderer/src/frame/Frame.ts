@@ -216,10 +216,11 @@ export class Frame extends FrameTarget {
     warnOfNaN(camera);
   }
 
-  /** Whether three clears the depth of the host's target for this frame. */
+  /** Whether the host's target has depth, and three clears it for this frame. */
   private get clearsDepth(): boolean {
     const { webgl, scene } = this;
-    return (webgl.autoClear || (scene.background as Color | null)?.isColor === true) && webgl.autoClearDepth;
+    if (!this.hasDepth || !webgl.autoClearDepth) return false;
+    return webgl.autoClear || (scene.background as Color | null)?.isColor === true;
   }
 
   /** Begins draws of opaque items, each once, to the host's target, as `RenderQueue.beginOrder`. */

@@ -50,6 +50,7 @@ export class FrameTarget {
   several = false;
   /** Whether the canvas has depth, and no stencil. */
   private readonly canvasDepthOnly: boolean;
+  private readonly canvasHasDepth: boolean;
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
   private readonly canvasSamples: number;
@@ -57,7 +58,8 @@ export class FrameTarget {
   constructor(readonly webgl: WebGLRenderer) {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
     const attributes = this.gl.getContextAttributes();
-    this.canvasDepthOnly = attributes?.stencil === false && attributes.depth !== false;
+    this.canvasHasDepth = attributes?.depth !== false;
+    this.canvasDepthOnly = attributes?.stencil === false && this.canvasHasDepth;
     this.premultiplied = attributes?.premultipliedAlpha !== false;
     this.canvasSamples = attributes?.antialias ? 4 : 0;
   }
@@ -65,6 +67,10 @@ export class FrameTarget {
   /** Samples a pixel of the target: above 0 it is multisampled. */
   get samples(): number {
     return this.target === null ? this.canvasSamples : this.target.samples;
+  }
+
+  protected get hasDepth(): boolean {
+    return this.target === null ? this.canvasHasDepth : this.target.depthBuffer;
   }
 
   /** Reads the host's current target and viewport. */
