@@ -73,7 +73,7 @@ export class FrameLights {
     const { shadows } = finder;
     const layers = shadows?.layers ?? null;
     masks.shadows = shadowedLights(webgl);
-    masks.layers = layers;
+    masks.layers = settings.lightLayers ? layers : null;
     masks.areas = finder.areas;
     if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
@@ -83,7 +83,7 @@ export class FrameLights {
     const known = moves || all !== found ? null : points;
     // the first eye draws the shadow maps of all eyes
     const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;
-    const packs = masked === table.masked && known !== null && layers === null && this.pack(finder.found, frame);
+    const packs = masked === table.masked && known !== null && masks.layers === null && this.pack(finder.found, frame);
     if (masked === table.masked && !packs) table.collect(all, frame.camera, masks, known);
     table.tileLists = null;
     layers?.end();
