@@ -5,6 +5,9 @@ import { FullscreenPass } from '../gpu/FullscreenPass';
 import type { LightField } from './LightField';
 import type { LightLists } from '../frame/LightLists';
 import type { FieldDraws } from '../frame/FieldDraws';
+import type { FoundLights } from '../lights/FoundLights';
+import type { Pass } from '../frame/Pass';
+import type { RecordSettings } from '../lighting/LightRecords';
 import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
 import { fieldCount } from '../lights/lightData';
@@ -14,6 +17,7 @@ import { FieldDepths } from './FieldDepths';
 import { FieldLights } from './FieldLights';
 import { FieldLists } from './FieldLists';
 import { FieldOrder, fit } from './FieldOrder';
+import { PackedLights } from './PackedLights';
 import { type FieldSlices, SLICES } from './FieldSlices';
 
 const TABLE_WIDTH = RECORDS_PER_ROW * TEXELS_PER_RECORD;
@@ -40,6 +44,7 @@ const sliceTwins = forwardTwins('lightLoopSlices');
 export class LightFields implements FieldDraws {
   private readonly arrays = new FieldArrays();
   private readonly depths = new FieldDepths();
+  private readonly packed = new PackedLights();
   private readonly lights = new FieldLights();
   private readonly order = new FieldOrder();
   private readonly lists = new Map<TileDepthUse, FieldLists>();
@@ -137,13 +142,38 @@ export class LightFields implements FieldDraws {
     return CLUSTERS;
   }
 
+  /** Whether enough of the scene's lights are in view for `collectPacked` to pay. */
+  packs(): boolean {
+    return this.packed.pays(this.frame.lights);
+  }
+
+  /** Collects the lights of a frame, with the scene's plain point lights in a field of the renderer's own. */
+  collectPacked(found: FoundLights, masks: RecordSettings): void {
+    const { packed } = this;
+    const { camera, lights } = this.frame;
+    const field = packed.pack(found, camera);
+    lights.collect(packed.rest, camera, masks);
+    lights.addPacked(field, Math.round(packed.share * field.count));
+  }
+
+  /** Pass that compiles, in a warm-up, the programs by which fields are drawn for tile lists. */
+  passFor(use: TileDepthUse): Pass {
+    const warmUp = (frame: Frame) => {
+      this.lights.warmUp(frame);
+      this.order.compile(frame);
+      this.records.drawTo(frame, this.table);
+      this.listsOf(use).warmUp(frame);
+    };
+    return { name: 'light fields', reads: [], writes: [], bytes: 0, render: warmUp, dispose() {} };
+  }
+
   twinsFor(loop: LightLoop): ReturnType<typeof forwardTwins> | undefined {
     return loop === 'lightLoopClustered' ? sliceTwins : undefined;
   }
 
   dispose(): void {
-    for (const each of [this.arrays, this.lights, this.order, this.table, this.records, ...this.allLists])
-      each.dispose();
+    const { arrays, packed, lights, order, table, records, allLists } = this;
+    for (const each of [packed, arrays, lights, order, table, records, ...allLists]) each.dispose();
     this.lists.clear();
     this.allLists.length = 0;
   }

@@ -3,9 +3,12 @@ import type { Frame } from '../frame/Frame';
 import { FrameUniforms } from './FrameUniforms';
 import type { LightFinder } from './LightFinder';
 import { gridCode, tileCode } from '../techniques/techniqueCode';
-import { lightFieldCode } from './lazyCode';
+import { lightFieldCode, warmUpCode } from './lazyCode';
 import type { LightFields } from '../light-fields/LightFields';
+import type { FoundLights } from '../lights/FoundLights';
 import type { LightLayers } from '../shadows/LightLayers';
+import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
+import type { WarmUp } from './warm-up/WarmUp';
 import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
@@ -21,6 +24,9 @@ export interface LightSettings {
   readonly heatMapMaximum: number;
 }
 
+/** Number of lights that are objects from which on the GPU sorts plain point lights, as those of a LightField. */
+const PACKED_FROM = 4096;
+
 function rankOf(order: LightOrder): RankLights | null {
   if (order === 'by-volume') return null;
   return order === 'by-grid' ? gridCode.required.rankByGrid : tileCode.required.rankByDepth;
@@ -30,6 +36,9 @@ function rankOf(order: LightOrder): RankLights | null {
 export class FrameLights {
   readonly table = new LightTable();
   private fields: LightFields | null = null;
+  /** Compiles the programs of packed lights; null while they are not needed, and once they are linked. */
+  preparation: WarmUp | null = null;
+  private prepared: TileDepthUse | null = null;
   readonly uniforms = new FrameUniforms(this.table);
   private readonly masks = {
     shadows: 'none' as ShadowedLights,
@@ -71,12 +80,17 @@ export class FrameLights {
     const known = moves || all !== found ? null : points;
     // the first eye draws the shadow maps of all eyes
     const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;
-    if (masked === table.masked) table.collect(all, frame.camera, masks, known);
+    const packs = masked === table.masked && known !== null && layers === null && this.pack(finder.found, frame);
+    if (masked === table.masked && !packs) table.collect(all, frame.camera, masks, known);
+    table.tileLists = null;
     layers?.end();
-    const fields = (frame.fields = table.fields.length > 0 ? this.makeFields(frame) : null);
-    table.slots = 0;
-    fields?.begin();
+    let fields = this.beginFields(frame);
     const picked = pick();
+    if (packs && picked !== 'by-depth') {
+      // the technique has changed to one that would need other programs for fields
+      table.collect(all, frame.camera, masks, known);
+      fields = this.beginFields(frame);
+    }
     // nothing reads the farthest depth when all shaders read the few lights from uniforms
     if (frame.readsFew) frame.queue.farthest = Infinity;
     // clusters of light fields are made on the GPU, from lights sorted by depth
@@ -99,6 +113,37 @@ export class FrameLights {
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
   }
 
+  /** Collects many lights by packing them, as soon as the programs for it are linked. @returns whether it did */
+  private pack(found: FoundLights, frame: Frame): boolean {
+    const { preparation } = this;
+    this.preparation = null;
+    const use = this.table.tileLists;
+    const { webgl } = frame;
+    if (use === null || found.all.length < PACKED_FROM || !webgl.extensions.has('EXT_color_buffer_float')) return false;
+    if (!lightFieldCode.ask(false) || !warmUpCode.ask(false)) return false;
+    const fields = this.makeFields(frame);
+    if (fields === null || !fields.packs()) return false;
+    if (this.prepared !== use) {
+      if (preparation?.ready !== true) {
+        this.preparation =
+          preparation ?? new warmUpCode.required.WarmUp(frame, {}, 'tile lists', [fields.passFor(use)]);
+        return false;
+      }
+      this.prepared = use;
+    }
+    fields.collectPacked(found, this.masks);
+    return true;
+  }
+
+  private beginFields(frame: Frame): LightFields | null {
+    const { table } = this;
+    const fields = table.fields.length > 0 ? this.makeFields(frame) : null;
+    frame.fields = fields;
+    table.slots = 0;
+    fields?.begin();
+    return fields;
+  }
+
   /** Creates the draws of light fields, once; null until their code is loaded. */
   private makeFields(frame: Frame): LightFields | null {
     return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
@@ -110,6 +155,7 @@ export class FrameLights {
     this.fields = frame.fields = null;
     frame.tileShadows = frame.queue.shadowMasks = null;
     this.table.dispose();
+    this.preparation = this.prepared = null;
     this.masks.layers = this.masks.areas = null;
     this.uniforms.freeMasks();
   }

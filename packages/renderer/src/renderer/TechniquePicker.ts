@@ -47,6 +47,8 @@ export class TechniquePicker {
   passTimer: GpuTimer | null = null;
   /** Trials of 'auto'; null until there is something to learn and their code is loaded. */
   learning: LearningFrames | null = null;
+  /** Compiles programs of light lists at the end of a frame; null while there are none to compile. */
+  lists: WarmUp | null = null;
   private requested: TechniqueName = 'auto';
 
   constructor(
@@ -132,6 +134,7 @@ export class TechniquePicker {
   /** Compiles the next technique of 'auto', a little in each frame; call it at the end of a frame. */
   warmUp(scene: DrawnScene, frame: Frame, draws: EffectsByTechnique): void {
     const { chooser } = scene;
+    this.lists?.step([]);
     const waits = this.requested === 'auto' && frame.session === null && chooser?.settled !== true;
     if (!waits && warmUpCode.isThere) {
       scene.overdraw ??= new warmUpCode.required.Overdraw();
