@@ -35,26 +35,7 @@ drawing (SVG) of each chart. Prints a table of each case beside what apps/lab/re
 
 The browser is CHROMIUM_PATH, or the one that npm test finds. Figures are medians of the rounds' medians.`;
 
-/**
- * @typedef {object} BenchOptions
- * @property {string} fragment of the Lab's address
- * @property {boolean} regret
- * @property {number[] | null} lights null for those of the preset
- * @property {boolean} rivals
- * @property {number} timeout s
- * @property {number} minutes 0 for no limit
- * @property {boolean} resume
- * @property {string | null} name
- * @property {boolean} withoutPictures
- * @property {string | null} reference
- * @property {boolean} write
- * @property {boolean} gpu
- * @property {string | null} dist
- * @property {string | null} against
- * @property {boolean} buildOnly
- * @property {string} out
- * @property {boolean} help
- */
+/** @typedef {ReturnType<typeof parseBenchOptions>} BenchOptions */
 
 const text = /** @type {const} */ ({ type: 'string' });
 const flag = /** @type {const} */ ({ type: 'boolean' });
@@ -71,7 +52,6 @@ export const optionTypes = {
  * Reads the command line.
  *
  * @param {string[]} args
- * @returns {BenchOptions}
  * @throws {Error} that names the option, its value and what is allowed
  */
 export function parseBenchOptions(args) {

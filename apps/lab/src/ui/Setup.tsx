@@ -33,7 +33,6 @@ export function Setup({ configuration, planned, unavailable, ownScene, isBusy, o
           configuration={configuration}
           unavailable={unavailable}
           ownScene={ownScene}
-
           onChange={onChange}
         />
       </details>

@@ -8,7 +8,7 @@ import { ownersName } from '../../model/ownersName';
 import { OverrideMark } from '../prefab/OverrideMark';
 import { useEditor } from '../../ui/EditorContext';
 import { useIsFound } from '../../ui/FieldFilter';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 
 interface FieldRowProps {
   /** Edited components or settings of one type; memoised. */
@@ -56,10 +56,11 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
       <span className="field-label" title={description}>
         <span className="field-name">{label}</span>
         {!isDefault && !field.readOnly && (
-          <button
-            type="button"
+          <IconButton
+            icon="undo"
+            size={11}
             className="field-reset"
-            aria-label={t('Reset to default')}
+            label={t('Reset to default')}
             aria-description={label}
             title={t('Reset {label} to its default', { label })}
             onClick={() =>
@@ -73,9 +74,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
                 ),
               )
             }
-          >
-            <Icon name="undo" size={11} />
-          </button>
+          />
         )}
         <OverrideMark owners={owners} name={name} label={label} />
       </span>

@@ -5,6 +5,7 @@ import { combinationOf } from '../../actions/combinationOf';
 import { useEditor } from '../../ui/EditorContext';
 import { useKeyBindings } from '../../ui/useKeyBindings';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { keyText } from '../../ui/keyText';
 import { Button } from '../../ui/Button';
 
@@ -68,15 +69,14 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
           {isListening ? t('Press keys…') : <Icon name="add" size={11} />}
         </button>
         {bindings.isRebound(action) && (
-          <button
-            type="button"
+          <IconButton
+            icon="undo"
+            size={11}
             className="key-add"
-            aria-label={t('Own keys of {label}', { label })}
+            label={t('Own keys of {label}', { label })}
             title={t('Back to its own keys')}
             onClick={() => bindings.bind(action, null)}
-          >
-            <Icon name="undo" size={11} />
-          </button>
+          />
         )}
       </span>
       {asked !== null && (

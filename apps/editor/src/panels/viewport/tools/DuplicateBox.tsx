@@ -95,7 +95,7 @@ function ScatterPart({ tool, value }: PartProps): ReactNode {
     <>
       <div className="tool-row">
         <span>{t('Surface')}</span>
-        <strong className="tool-value">{tool.target?.name ?? t('None')}</strong>
+        <strong className="tool-value one-line">{tool.target?.name ?? t('None')}</strong>
       </div>
       <p className="tool-note">{t('Click another object, in the picture or the tree, to take its surface.')}</p>
       <Count tool={tool} value={value} />

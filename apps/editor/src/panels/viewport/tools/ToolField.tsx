@@ -17,15 +17,7 @@ export function NumberRow({ label, onChange, value, ...rest }: NumberRowProps): 
   return (
     <div className="tool-row">
       <span aria-hidden="true">{label}</span>
-      <NumberInput
-        {...rest}
-        value={value}
-        label={label}
-        handle={<span className="grip" />}
-        onPreview={onChange}
-        onCommit={() => {}}
-        onDiscard={() => {}}
-      />
+      <NumberInput {...rest} value={value} label={label} handle={<span className="grip" />} onPreview={onChange} />
     </div>
   );
 }
@@ -54,8 +46,6 @@ export function TripleRow({ label, value, onChange, ...rest }: TripleRowProps): 
             triple[i] = next;
             onChange(triple);
           }}
-          onCommit={() => {}}
-          onDiscard={() => {}}
         />
       ))}
     </div>
