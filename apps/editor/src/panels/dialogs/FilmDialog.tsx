@@ -142,18 +142,16 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
       />
       <div className="film-fields">
         <ChoiceRow
-          className="dialog-row"
           label={t('Camera')}
           value={shot}
           options={shots}
           onChange={(next) => set({ shot: next, plays: next !== 'turntable' && next !== 'path' })}
         />
-        <SwitchRow className="dialog-row" label={t('The scene plays')} {...bind('plays')} />
+        <SwitchRow label={t('The scene plays')} {...bind('plays')} />
         {shot === 'turntable' && <NumberRow label={t('Turns')} min={-100} max={100} step={1} {...bind('turns')} />}
         <NumberRow label={t('From')} min={0} max={LATEST} step={1} unit="s" {...bind('from')} />
         <NumberRow label={t('To')} min={0} max={LATEST} step={1} unit="s" {...bind('to')} />
         <ChoiceRow
-          className="dialog-row"
           label={t('Frames a second')}
           value={ownRate ? 'own' : String(rate)}
           options={choices({
@@ -166,7 +164,6 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           <NumberRow label={t('Other rate')} min={SLOWEST} max={FASTEST} step={1} unit="1/s" {...bind('rate')} />
         )}
         <ChoiceRow
-          className="dialog-row"
           label={t('Format')}
           value={format ?? ''}
           options={choices(
@@ -180,11 +177,10 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           onChange={(next) => set({ format: next as FilmFormatName })}
         />
         {codec === null ? (
-          <SwitchRow className="dialog-row" label={t('Without background')} {...bind('isTransparent')} />
+          <SwitchRow label={t('Without background')} {...bind('isTransparent')} />
         ) : (
           <>
             <ChoiceRow
-              className="dialog-row"
               label={t('Quality')}
               value={quality}
               options={choices({ small: t('Small file'), good: t('Good'), high: t('High') })}

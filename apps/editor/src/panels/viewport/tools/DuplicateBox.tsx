@@ -93,7 +93,7 @@ function GridPart({ tool }: PartProps): ReactNode {
 function ScatterPart({ tool, value }: PartProps): ReactNode {
   return (
     <>
-      <div className="tool-row">
+      <div className="setting-row">
         <span>{t('Surface')}</span>
         <strong className="tool-value one-line">{tool.target?.name ?? t('None')}</strong>
       </div>
