@@ -219,9 +219,7 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
       </p>
       <div className="dialog-buttons">
         <Button label={t('Cancel')} onClick={() => tools.end(tool)} />
-        <button type="submit" className="button primary" disabled={tool.total <= tool.sources.length}>
-          {t('Duplicate')}
-        </button>
+        <Button type="submit" look="primary" label={t('Duplicate')} disabled={tool.total <= tool.sources.length} />
       </div>
     </form>
   );
