@@ -3,13 +3,11 @@ import type { BufferGeometry } from 'three';
 import type { NewObject } from '../core/NewObject';
 import { fitOpening, isInOpening, type Opening, type OpeningSize } from '../geometry/openings';
 import { solidGrid } from '../geometry/solidGrid';
-import { drawnShape, shapeComponent } from './shapeComponent';
+import { drawnShape, metres, shapeComponent, size } from './shapeComponent';
 
 const sides = ['front', 'right', 'back', 'left'] as const;
 type Side = (typeof sides)[number];
 
-const metres = { unit: 'm', step: 0.05 };
-const size = { ...metres, min: 0.01 };
 const where = {
   options: ['none', ...sides],
   labels: { none: 'None', front: 'Front', right: 'Right', back: 'Back', left: 'Left' },

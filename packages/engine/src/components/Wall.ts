@@ -3,10 +3,8 @@ import type { BufferGeometry } from 'three';
 import type { NewObject } from '../core/NewObject';
 import { fitOpening, isInOpening } from '../geometry/openings';
 import { solidGrid } from '../geometry/solidGrid';
-import { drawnShape, shapeComponent } from './shapeComponent';
+import { drawnShape, metres, shapeComponent, size } from './shapeComponent';
 
-const metres = { unit: 'm', step: 0.05 };
-const size = { ...metres, min: 0.01 };
 const hole = { group: 'Opening', visibleWhen: { field: 'opening', equals: ['door', 'window'] } };
 
 /** A straight wall along x, its foot at y = 0, with a door or a window. The object's ObjectRenderer draws it. */

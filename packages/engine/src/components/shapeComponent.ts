@@ -8,6 +8,10 @@ import { ObjectRenderer } from './ObjectRenderer';
 /** The component that draws the shape of a new object. */
 export const drawnShape = [ObjectRenderer, { mesh: null, ...meshShadows }] as const;
 
+/** Options of fields that are lengths, and of those that are sizes. */
+export const metres = { unit: 'm', step: 0.05 };
+export const size = { ...metres, min: 0.01 };
+
 /** A component that makes the shape of its object of its fields. */
 export interface ShapeMaker extends Component, ShapeSource {
   /** @internal */

@@ -49,6 +49,10 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
     },
     [places, name],
   );
+  const reset = (): void => {
+    const step = t('Reset {field} of {name}', { field: label.toLowerCase(), name: ownersName(owners) });
+    editor.commands.run(resetFields(step, owners, [name]));
+  };
   const isFound = useIsFound(label, name);
   if (!isFound) return null;
   return (
@@ -63,17 +67,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
             label={t('Reset to default')}
             aria-description={label}
             title={t('Reset {label} to its default', { label })}
-            onClick={() =>
-              editor.attempt(() =>
-                editor.commands.run(
-                  resetFields(
-                    t('Reset {field} of {name}', { field: label.toLowerCase(), name: ownersName(owners) }),
-                    owners,
-                    [name],
-                  ),
-                ),
-              )
-            }
+            onClick={() => editor.attempt(reset)}
           />
         )}
         <OverrideMark owners={owners} name={name} label={label} />

@@ -17,6 +17,7 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
   const [asked, setAsked] = useState<string | null>(null);
   const bindings = useKeyBindings();
   const keys = bindings.keysOf(action);
+  const without = (key: string): string[] => keys.filter((other) => other !== key);
   const clashes = keys.flatMap((each) => bindings.conflictsOf(action, each).map((other) => [each, other] as const));
   const others = asked === null ? [] : bindings.conflictsOf(action, asked).map((other) => labelOf(other, editor));
 
@@ -43,12 +44,7 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
               type="button"
               aria-label={t('Take {keys} from {label}', { keys: each, label })}
               title={t('Take this key away')}
-              onClick={() =>
-                bindings.bind(
-                  action,
-                  keys.filter((other) => other !== each),
-                )
-              }
+              onClick={() => bindings.bind(action, without(each))}
             >
               <Icon name="close" size={9} />
             </button>
