@@ -1,3 +1,6 @@
+import type { TechniqueName } from '@farol/renderer';
+import type * as Three from 'three';
+import { checkAgreement } from '../support/agreement';
 import { compareImages, isFlat } from '../support/images';
 import { expect, test } from '../support/benchTest';
 
@@ -36,4 +39,71 @@ test('surfaces that hide others are drawn first where it spares shading, and the
   expect(seen.last.order).toEqual([2, 4, 8, 16, 32]);
   expect(isFlat(seen.stock)).toBe(false);
   expect(compareImages(seen.stock, seen.last.image).psnr).toBeGreaterThan(90);
+});
+
+test('of coplanar surfaces, in any order of materials, every technique shows the one that stock three shows @verify', async ({
+  benchPage: page,
+}) => {
+  const seen = await page.evaluate(async () => {
+    const { Bench, three, techniquesInTurn } = window.testPage;
+    const bench = new Bench(240, 160);
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(60, 1.5, 0.1, 100);
+    let seed = 3;
+    const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
+    const order: number[] = [];
+    // three draws the surfaces that hide most in the midst of the ids, and the farthest first and last
+    const depths = [30, 12, 8, 12, 4, 8, 12, 8, 3, 3, 8, 8, 12, 30, 30];
+    const materials = depths.map((_, i) => {
+      const color = new three.Color().setHSL(i / depths.length, 0.7, 0.5);
+      return i === 6
+        ? new three.MeshBasicMaterial({ color })
+        : new three.MeshStandardMaterial({ color, roughness: 0.6 });
+    });
+    const add = (material: Three.Material, depth: number, width: number, x = 0, y = 0) => {
+      const mesh = new three.Mesh(new three.PlaneGeometry(width, width * 0.7), material);
+      mesh.position.set(x, y, -depth);
+      mesh.onBeforeRender = () => void order.push(material.id);
+      scene.add(mesh);
+    };
+    materials.forEach((material, i) => {
+      const depth = depths[i];
+      for (let k = 0; k < 4; k++)
+        add(material, depth, depth * (0.3 + 0.5 * random()), depth * (random() - 0.5), depth * 0.6 * (random() - 0.5));
+      if (depth > 4) add(material, depth, depth * 1.9);
+    });
+    // the order of materials is found without these
+    const late = [2, 6, 11].map((i) =>
+      scene.children.filter((child) => (child as Three.Mesh).material === materials[i]),
+    );
+    const show = (isLit: boolean, isShown: boolean) =>
+      late.forEach((meshes, i) => meshes.forEach((mesh) => (mesh.visible = isShown && (i !== 1 || !isLit))));
+    show(true, false);
+    scene.add(new three.AmbientLight(0xffffff, 1), new three.PointLight(0xffeedd, 60, 40));
+    const by = (technique: TechniqueName) => {
+      order.length = 0;
+      const image = bench.byTechnique(technique, scene, camera);
+      return { technique, image, order: [...new Set(order)] };
+    };
+    by('auto');
+    await bench.farol.ready;
+    for (let frame = 0; frame < 64; frame++) by('forward-single-pass');
+    const pictures = [];
+    for (const technique of techniquesInTurn(3)) {
+      by(technique);
+      await bench.farol.ready;
+      show(true, false);
+      const [first, stock] = [by(technique), bench.stock(scene, camera)];
+      // techniques with a G-buffer draw unlit objects after all lit ones
+      show(!/single|tiled-f|clustered-f/.test(technique), true);
+      pictures.push({ ...first, stock }, { ...by(technique), stock: bench.stock(scene, camera) });
+    }
+    return pictures;
+  });
+  for (const { technique, image, stock, order } of seen) {
+    expect(isFlat(stock)).toBe(false);
+    checkAgreement(technique, compareImages(stock, image), `${technique}, ${order.length} materials`);
+    const isById = order.join() === order.toSorted((a, b) => a - b).join();
+    expect(isById, `${technique} draws by ids`).toBe(technique === 'forward' || technique === 'forward-plus');
+  }
 });

@@ -44,7 +44,7 @@ import { ResourceTable } from './Resources';
 import type { Session } from './Session';
 import type { SharedUniforms } from './sharedUniforms';
 import type { TwinAdapter } from './TwinAdapter';
-import { directDraw, type DirectDraw } from '../three/directDraw';
+import { directDraw, type DirectDraw, strictDraw } from '../three/directDraw';
 import { isDepthReversed } from '../three/state';
 
 type MaterialCallback = (
@@ -142,6 +142,7 @@ export class Frame extends FrameTarget {
   private nodes: NodeDraws | null = null;
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
+  private readonly strictDraw: DirectDraw;
   private readonly callbacks: CallbackWatch;
 
   constructor(
@@ -154,6 +155,7 @@ export class Frame extends FrameTarget {
   ) {
     super(webgl);
     this.draw = directDraw(webgl);
+    this.strictDraw = strictDraw(webgl);
     this.callbacks = new CallbackWatch(webgl);
   }
 
@@ -214,16 +216,26 @@ export class Frame extends FrameTarget {
     warnOfNaN(camera);
   }
 
+  /** Whether three clears the depth of the host's target for this frame. */
+  private get clearsDepth(): boolean {
+    const { webgl, scene } = this;
+    return (webgl.autoClear || (scene.background as Color | null)?.isColor === true) && webgl.autoClearDepth;
+  }
+
+  /** Begins draws of opaque items, each once, to the host's target, as `RenderQueue.beginOrder`. */
+  beginOrder(): readonly RenderItem[] {
+    return this.clearsDepth ? this.queue.beginOrder() : this.queue.opaque;
+  }
+
   /**
    * Whether later draws to a multisampled target need depth in each sample, for items that were drawn to other targets. False if
    * the target already has other depth.
    */
   get wantsSampleDepths(): boolean {
-    const { webgl, queue, scene, view } = this;
+    const { webgl, queue, view } = this;
     if (this.samples === 0 || view !== 'final' || queue.early > 0 || webgl.capabilities.logarithmicDepthBuffer)
       return false;
-    const clears = webgl.autoClear || (scene.background as Color | null)?.isColor === true;
-    if (!clears || !webgl.autoClearDepth) return false;
+    if (!this.clearsDepth) return false;
     return queue.transparent.length + queue.transmissive.length > 0 || queue.opaque.some(isLeft);
   }
 
@@ -313,7 +325,8 @@ export class Frame extends FrameTarget {
     const first = item.shading === 'lit' && this.drawsToSeveral && !hasOwnShader(source);
     if (first) this.setDrawBuffers(1);
     try {
-      this.draw(camera, scene, geometry, material, object, group);
+      if (source.id < this.queue.pivot) this.strictDraw(camera, scene, geometry, material, object, group);
+      else this.draw(camera, scene, geometry, material, object, group);
     } finally {
       if (first) this.setDrawBuffers(this.target!.textures.length);
     }

@@ -42,10 +42,14 @@ export class Lazy<Code extends object, Name extends string = string> {
     return this.ask() ? by(this.code!) : null;
   }
 
-  /** Starts to fetch the code, unless a fetch is under way. @returns whether the code is loaded */
-  ask(): boolean {
+  /**
+   * Starts to fetch the code, unless a fetch is under way.
+   * @param changesPicture - whether the frame's picture lacks the code. Default true
+   * @returns whether the code is loaded
+   */
+  ask(changesPicture = true): boolean {
     if (this.isThere) return true;
-    Lazy.lacking?.add(this);
+    if (changesPicture) Lazy.lacking?.add(this);
     if (this.loading === null && performance.now() >= this.next) this.load().catch(this.fail);
     return false;
   }

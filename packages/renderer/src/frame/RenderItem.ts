@@ -16,8 +16,6 @@ export type ItemRoute = 'split' | 'plain' | 'ordered' | 'forward';
 
 /** One draw from three's traversal, with the host's material (or the scene's override). Pooled: valid only in its frame. */
 export interface RenderItem extends RenderListItem {
-  /** Rank of the material in the order of opaque items, see `RenderQueue.ranks`. */
-  rank: number;
   shading: ItemShading;
   route: ItemRoute;
   /** Whether the page, or a Farol surface (GLSL that sets material inputs), changes the material's shader. */

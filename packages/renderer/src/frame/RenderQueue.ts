@@ -13,12 +13,11 @@ import { warnOfNaN } from './warnOfNaN';
 
 const center = new Vector3();
 
-/** three's default order of opaque items, with `rank` added: by group, render order, rank, material, then front to back. */
+/** three's default order of opaque items: by group, render order, material, then front to back. */
 function byState(a: RenderItem, b: RenderItem): number {
   return (
     a.groupOrder - b.groupOrder ||
     a.renderOrder - b.renderOrder ||
-    a.rank - b.rank ||
     a.material.id - b.material.id ||
     a.materialVariant - b.materialVariant ||
     a.z - b.z ||
@@ -48,11 +47,18 @@ export interface ShadowMaskMaterials {
 /** Properties of a material, as read in the frame with the number `frame`. */
 interface MaterialLook {
   frame: number;
-  rank: number;
   ownShader: boolean;
   shading: ItemShading;
   isPlainOpaque: boolean;
   isOrderSensitive: boolean;
+}
+
+/** Order of a scene's materials in which those that hide others come first. */
+export interface MaterialOrder {
+  /** Id of the first material; materials of lower ids come after some of higher ids. */
+  readonly pivot: number;
+  /** @returns opaque items, valid until the next call; null if they must be drawn in three's order */
+  sort(opaque: readonly RenderItem[]): readonly RenderItem[] | null;
 }
 
 /** Draws of a frame, in three.js's three lists. Items are pooled. */
@@ -69,9 +75,15 @@ export class RenderQueue {
   covers = true;
   /** True if an opaque object may be so far away that its depth equals the cleared depth, see `watchFar`. */
   reachesFar = false;
-  /** Rank of each material among opaque items; ignored if the host sets an order or an item must be drawn in three's. */
-  ranks: ReadonlyMap<Material, number> | null = null;
+  /** Order of materials for passes that draw opaque items once; null for three's. */
+  order: MaterialOrder | null = null;
+  /** Whether three's default order was asked for, and no item's picture depends on it. */
+  private mayReorder = false;
+  /** Items whose material has a lower id are hidden by surfaces of equal depth, see `beginOrder`; 0 for none. */
+  pivot = 0;
   private camera!: Camera;
+  /** Distance (m) given to `watchFar`. */
+  private cleared = Infinity;
   /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
   /** Materials that only three's own lights can light. */
@@ -98,7 +110,8 @@ export class RenderQueue {
     this.frame++;
     this.material = null;
     this.covers = true;
-    this.ordered = false;
+    this.ordered = this.mayReorder = false;
+    this.pivot = 0;
     this.early = 0;
     this.reachesFar = this.farthest === -Infinity;
     this.hasLitTransparents = false;
@@ -108,7 +121,7 @@ export class RenderQueue {
   /** Tests opaque items, from the next `clear` on, for objects beyond a distance along the view (m). */
   watchFar(camera: Camera, distance: number): void {
     this.camera = camera;
-    this.farthest = distance;
+    this.farthest = this.cleared = distance;
   }
 
   push(
@@ -142,9 +155,8 @@ export class RenderQueue {
     item.renderOrder = object.renderOrder;
     item.z = z;
     if (material !== this.material) this.lookAt(material);
-    const { isOrderSensitive, isPlainOpaque, ownShader, rank, shading } = this.materialLook;
+    const { isOrderSensitive, isPlainOpaque, ownShader, shading } = this.materialLook;
     const lit = shading === 'lit';
-    item.rank = rank;
     item.shading = shading;
     item.ownShader = ownShader;
     const isStep = isStepOfHost(object, groupOrder !== 0 || object.renderOrder !== 0);
@@ -156,7 +168,8 @@ export class RenderQueue {
     if (list === this.opaque) {
       // a polygon offset shifts depth, so positions cannot be computed from it
       if (material.polygonOffset) this.farthest = -Infinity;
-      if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
+      if (!this.reachesFar && this.farthest !== Infinity)
+        this.reachesFar = this.reaches(object, geometry, this.farthest);
     }
     if (lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!isPlain(item) || ownShader)) this.covers = false;
@@ -178,7 +191,6 @@ export class RenderQueue {
       if (ownShader && shading !== 'lit' && !nodes && (material as ShaderMaterial).lights === true)
         this.refused.check(material as ShaderMaterial);
       look.frame = this.frame;
-      look.rank = this.ranks?.get(material) ?? 0;
       look.ownShader = ownShader;
       look.shading = shading;
       look.isPlainOpaque = isPlainOpaque(material);
@@ -196,13 +208,13 @@ export class RenderQueue {
     return lit ? 'lit' : 'shadow-mask';
   }
 
-  /** Whether an object's bounding sphere extends beyond `farthest`. True without a sphere. */
-  private reaches(object: Object3D, geometry: BufferGeometry): boolean {
+  /** Whether an object's bounding sphere extends beyond a distance (m). True without a sphere. */
+  private reaches(object: Object3D, geometry: BufferGeometry, distance: number): boolean {
     const sphere = (object as Object3D & Partial<BufferGeometry>).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
     const { matrixWorld } = object;
     const { z } = center.copy(sphere.center).applyMatrix4(matrixWorld).applyMatrix4(this.camera.matrixWorldInverse);
-    return !(sphere.radius * matrixWorld.getMaxScaleOnAxis() - z <= this.farthest);
+    return !(sphere.radius * matrixWorld.getMaxScaleOnAxis() - z <= distance);
   }
 
   /** Ends the lists, and drops references to objects of earlier, larger frames. */
@@ -239,9 +251,34 @@ export class RenderQueue {
     for (let i = 0; i < this.early; i++) if (isPlain(opaque[i])) opaque[i].route = 'forward';
   }
 
+  /**
+   * Begins draws of opaque items, each once, over depth that no item has written. Call `endOrder` after them. three shows the
+   * item drawn last of those at one depth, which is that of the highest material id; an item below the pivot comes after
+   * items of higher ids alone, and must be hidden by them: `Frame.drawItem` draws it by LessDepth.
+   * @returns items in the order in which to draw them
+   */
+  beginOrder(): readonly RenderItem[] {
+    const { opaque, order } = this;
+    const items = this.mayReorder && order !== null ? order.sort(opaque) : null;
+    if (items === null) return opaque;
+    const { pivot } = order!;
+    for (let i = 0; i < items.length; i++) if (items[i].material.id < pivot && this.isFar(items[i])) return opaque;
+    this.pivot = pivot;
+    return items;
+  }
+
+  /** Whether an item's depth may equal the cleared depth, so that LessDepth would hide it. */
+  isFar({ material, object, geometry }: RenderItem): boolean {
+    return material.polygonOffset || this.reaches(object, geometry, this.cleared);
+  }
+
+  endOrder(): void {
+    this.pivot = 0;
+  }
+
   /** @param reversed - whether to reverse the sorted lists, as three up to 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
-    if (this.ordered) for (const item of this.opaque) item.rank = 0;
+    this.mayReorder = opaque === null && !reversed && !this.ordered;
     if (this.opaque.length > 1) this.opaque.sort((opaque as typeof byState | null) ?? byState);
     if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);
     if (this.transparent.length > 1) this.transparent.sort(transparent ?? backToFront);

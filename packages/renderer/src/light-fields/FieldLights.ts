@@ -107,6 +107,11 @@ export class FieldLights {
     this.pass.drawTo(frame, target);
   }
 
+  /** Tries the draw of a field, for a warm-up. */
+  warmUp(frame: Frame): void {
+    this.pass.drawTo(frame, this.target);
+  }
+
   dispose(): void {
     this.target.dispose();
     this.pass.dispose();

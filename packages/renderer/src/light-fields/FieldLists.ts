@@ -139,6 +139,12 @@ export class FieldLists {
     this.shared.farol_sliceQuads.value = this.slices.target.texture;
   }
 
+  /** Tries each draw of lists that are not sliced, for a warm-up. */
+  warmUp(frame: Frame): void {
+    for (const step of this.steps)
+      if (this.use !== 'none' || (step !== this.depthBlocks && step !== this.depths)) draw(frame, step);
+  }
+
   dispose(): void {
     for (const { pass, target } of [...this.steps, this.slices]) {
       pass.dispose();

@@ -1,6 +1,6 @@
 import { Light } from 'three';
 import { LightArray } from './LightArray';
-import { lightFieldMade } from './lightFieldMade';
+import { lightFieldMade } from '../lights/lightFieldMade';
 import type { LightTextures } from './LightTextures';
 
 /** Options of the constructor of LightField. */
@@ -12,7 +12,7 @@ export interface LightFieldOptions {
 }
 
 /** Maximum number of lights of a field. */
-const MOST = 2 ** 18;
+export const MOST = 2 ** 18;
 
 /**
  * Many point and spot lights as data: to PointLight and SpotLight what InstancedMesh is to Mesh. FarolRenderer draws them

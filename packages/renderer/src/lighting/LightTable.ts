@@ -10,6 +10,7 @@ import {
   TEXELS_PER_RECORD,
 } from '../lights/lightRecord';
 import type { PlainPoints } from '../lights/plainPoints';
+import type { TileDepthUse } from './lists/TileDepthUse';
 import type { PictureSize } from '../lights/PictureSize';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords, type RecordSettings } from './LightRecords';
@@ -60,6 +61,8 @@ export class LightTable extends VisibleLights {
   firstSlot = 0;
   /** Number of records of `table`. */
   recordCount = 0;
+  /** Use of depths by the tile lists of the last frame; null if it had none. */
+  tileLists: TileDepthUse | null = null;
   /** Order of the lights with a range in the last write. */
   lightOrder: LightOrder = 'by-volume';
   declare protected settings: RecordSettings | null;

@@ -55,7 +55,10 @@ export interface FarolInfo {
   budget: Readonly<BudgetInfo> | null;
   /** Parts of the shown view of a buffer, or why it cannot be shown; null for other views, and while code is fetched. */
   view: ViewInfo | null;
-  /** Number of lights in the scene, and of those that may light what the camera sees; each counts all lights of LightFields. */
+  /**
+   * Number of lights in the scene, and of those that may light what the camera sees; each counts all lights of LightFields.
+   * `visible` is an estimate where the GPU sorts thousands of point lights.
+   */
   lights: { total: number; visible: number };
   /**
    * Numbers of shadow maps drawn in this frame, of their texels, of maps kept from earlier frames, and of kept maps whose depth

@@ -3,9 +3,11 @@ import type { Frame } from '../frame/Frame';
 import { FrameUniforms } from './FrameUniforms';
 import type { LightFinder } from './LightFinder';
 import { gridCode, tileCode } from '../techniques/techniqueCode';
-import { lightFieldCode } from './lazyCode';
+import { lightFieldCode, warmUpCode } from './lazyCode';
 import type { LightFields } from '../light-fields/LightFields';
+import type { FoundLights } from '../lights/FoundLights';
 import type { LightLayers } from '../shadows/LightLayers';
+import type { Pass } from '../frame/Pass';
 import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
@@ -20,6 +22,11 @@ export interface LightSettings {
   readonly areaLightThreshold: number;
   readonly heatMapMaximum: number;
 }
+
+/** Number of lights that are objects from which on the GPU sorts plain point lights, as those of a LightField. */
+const PACKED_FROM = 4096;
+
+const prepare = (frame: Frame, pass: Pass) => new warmUpCode.required.WarmUp(frame, {}, 'tile lists', [pass]);
 
 function rankOf(order: LightOrder): RankLights | null {
   if (order === 'by-volume') return null;
@@ -36,6 +43,11 @@ export class FrameLights {
     layers: null as LightLayers | null,
     areas: null as AreaLightTable | null,
   };
+
+  /** Compiles programs of fields for tile lists, at the ends of frames; null while there are none to compile. */
+  get preparation(): LightFields['preparation'] {
+    return this.fields?.preparation ?? null;
+  }
 
   /** Bytes of the light table, shadow maps and light fields. */
   bytesOf({ fields }: Frame, { shadows }: LightFinder): number {
@@ -61,7 +73,7 @@ export class FrameLights {
     const { shadows } = finder;
     const layers = shadows?.layers ?? null;
     masks.shadows = shadowedLights(webgl);
-    masks.layers = layers;
+    masks.layers = settings.lightLayers ? layers : null;
     masks.areas = finder.areas;
     if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
@@ -71,12 +83,17 @@ export class FrameLights {
     const known = moves || all !== found ? null : points;
     // the first eye draws the shadow maps of all eyes
     const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;
-    if (masked === table.masked) table.collect(all, frame.camera, masks, known);
+    const packs = masked === table.masked && known !== null && masks.layers === null && this.pack(finder.found, frame);
+    if (masked === table.masked && !packs) table.collect(all, frame.camera, masks, known);
+    table.tileLists = null;
     layers?.end();
-    const fields = (frame.fields = table.fields.length > 0 ? this.makeFields(frame) : null);
-    table.slots = 0;
-    fields?.begin();
+    let fields = this.beginFields(frame);
     const picked = pick();
+    if (packs && picked !== 'by-depth') {
+      // the technique has changed to one that would need other programs for fields
+      table.collect(all, frame.camera, masks, known);
+      fields = this.beginFields(frame);
+    }
     // nothing reads the farthest depth when all shaders read the few lights from uniforms
     if (frame.readsFew) frame.queue.farthest = Infinity;
     // clusters of light fields are made on the GPU, from lights sorted by depth
@@ -97,6 +114,24 @@ export class FrameLights {
     table.write(frame.camera, order, frame, shadows, rankOf(order));
     session?.written?.(frame);
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
+  }
+
+  /** Collects many lights by packing them, as soon as the programs for it are linked. @returns whether it did */
+  private pack(found: FoundLights, frame: Frame): boolean {
+    const { tileLists } = this.table;
+    if (tileLists === null || found.all.length < PACKED_FROM) return false;
+    if (!frame.webgl.extensions.has('EXT_color_buffer_float')) return false;
+    if (!lightFieldCode.ask(false) || !warmUpCode.ask(false)) return false;
+    return this.makeFields(frame)?.pack(found, this.masks, tileLists, prepare) === true;
+  }
+
+  private beginFields(frame: Frame): LightFields | null {
+    const { table } = this;
+    const fields = table.fields.length > 0 ? this.makeFields(frame) : null;
+    frame.fields = fields;
+    table.slots = 0;
+    fields?.begin();
+    return fields;
   }
 
   /** Creates the draws of light fields, once; null until their code is loaded. */

@@ -63,7 +63,7 @@ export class SceneDraws {
     picker.passTimer = this.recorder.passTimer;
     this.sceneView = sceneView;
     sceneView.seenBy = this.frame.seenBy;
-    this.frame.queue.ranks = sceneView.overdraw?.ranks ?? null;
+    this.frame.queue.order = sceneView.overdraw?.order ?? null;
     this.effects = effects;
     this.frame.adapters = effects.adapters;
     this.frame.gbufferExtras = effects.attachments;

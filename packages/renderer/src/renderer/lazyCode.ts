@@ -1,7 +1,7 @@
 import type { LearntChoice } from './learning';
 import { arrayCode } from './drawCameras';
 import { unknownName } from './errors';
-import { lightFieldMade } from '../light-fields/lightFieldMade';
+import { lightFieldMade } from '../lights/lightFieldMade';
 import { Lazy } from '../frame/Lazy';
 import { gridCode, lightBufferCode, multipassCode, tileCode } from '../techniques/techniqueCode';
 

@@ -13,5 +13,5 @@ export const forwardSinglePass: Technique = {
   readsFew: true,
   // null: three clears, by one call; a full-screen draw of the background takes six and a change of program
   fills: null,
-  passes: () => forwardTail('lightLoopAll'),
+  passes: () => forwardTail('lightLoopAll', [], 'lightLoopAll', true),
 };

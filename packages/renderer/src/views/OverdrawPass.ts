@@ -31,7 +31,8 @@ export class OverdrawPass {
         if (item.route === 'split' && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
       }
     }
-    this.count(frame, frame.queue.opaque);
+    this.count(frame, depthFirst ? frame.queue.opaque : frame.queue.beginOrder());
+    frame.queue.endOrder();
     this.count(frame, frame.queue.transmissive);
     this.count(frame, frame.queue.transparent);
     frame.resources.put('overdraw', target.texture);

@@ -76,7 +76,6 @@ export class ParticleSurroundings {
       geometry: mesh.geometry,
       material: mesh.material,
       materialVariant: 0,
-      rank: 0,
       group: null,
       groupOrder: 0,
       renderOrder: 0,

@@ -16,6 +16,8 @@ export interface ForwardPassOptions {
   /** Light loop for opaque items whose depth no earlier pass has drawn; default `loop`. */
   readonly loopOutside?: LightLoop;
   readonly reads?: readonly Resource[];
+  /** Whether no pass before it draws opaque items, whose materials may then be reordered. Default false. */
+  readonly isFirst?: boolean;
 }
 
 /**
@@ -30,6 +32,7 @@ export class ForwardPass implements Pass {
   private readonly list: ForwardPassOptions['list'];
   private readonly loop: LightLoop;
   private readonly loopOutside: LightLoop;
+  private readonly isFirst: boolean;
   private readonly background = new BackgroundDraw();
   private readonly twins: ReturnType<typeof forwardTwins>;
   private readonly outside: ReturnType<typeof forwardTwins>;
@@ -40,6 +43,7 @@ export class ForwardPass implements Pass {
     this.reads = options.reads ?? [];
     this.writes = options.list === 'transmissive' ? ['target'] : ['target', options.list];
     const { loop, loopOutside = loop } = options;
+    this.isFirst = options.isFirst ?? false;
     this.loop = loop;
     this.loopOutside = loopOutside;
     this.twins = forwardTwins(loop);
@@ -51,17 +55,18 @@ export class ForwardPass implements Pass {
   }
 
   render(frame: Frame): void {
-    const items = frame.queue[this.list];
-    if (this.list === 'transparent') frame.resources.put('transparent', items);
+    const { queue } = frame;
+    if (this.list === 'transparent') frame.resources.put('transparent', queue.transparent);
     if (this.isIdle(frame)) return;
     frame.bindTarget();
     const twins = (frame.fields?.twinsFor(this.loop) ?? this.twins)(frame.view);
     const outside = (frame.fields?.twinsFor(this.loopOutside) ?? this.outside)(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
-    for (const item of items) {
+    for (const item of this.isFirst ? frame.beginOrder() : queue[this.list]) {
       const isInside = twins === outside || (item.route === 'split' && hasDepthTwin(item.material));
       this.draw(frame, item, isInside ? twins : outside, onlyLit);
     }
+    queue.endOrder();
     if (this.list === 'opaque' && frame.fills === 'behind') this.background.draw(frame);
   }
 

@@ -23,12 +23,13 @@ export class GBufferPass implements Pass {
     const gbuffer = this.target.begin(frame);
     // three blends an environment with UVMapping into the lit colour of Lambert and Phong materials, as it does cube maps
     const blends = (frame.scene as Scene).environment?.mapping === UVMapping;
-    for (const item of frame.queue.opaque) {
+    for (const item of frame.queue.beginOrder()) {
       if (!fitsGBuffer(item, frame.isLite) || exceedsGBuffer(item.material, frame.lights)) continue;
       if (blends && !(item.material as MeshStandardMaterial).isMeshStandardMaterial) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }
+    frame.queue.endOrder();
     frame.resources.put('gbuffer', gbuffer);
     frame.resources.put('scene-depth', gbuffer.depth);
   }

@@ -4,12 +4,13 @@ import {
   type Camera,
   DoubleSide,
   type InstancedMesh,
-  type Material,
   Matrix3,
   Matrix4,
   type Object3D,
 } from 'three';
 import type { RenderItem } from '../../frame/RenderItem';
+import type { RenderQueue } from '../../frame/RenderQueue';
+import { isBeside, MaterialOrder, MOST_MATERIALS } from './MaterialOrder';
 import { geometryPoints, POINT, POINTS, surfacePoints } from './surfacePoints';
 
 /** Maximum number of cells along a side of the picture, and smallest mean number of parts in a cell. */
@@ -24,10 +25,10 @@ const MOST_ITEMS = 1000;
 const MOST_POINTS = 6144;
 /** Capacity of the arrays below, which describe parts. */
 const MOST_PARTS = MOST_POINTS + MOST_ITEMS;
-/** Number of runs (successive items of one material and render order) beyond which nothing is estimated. */
-const MOST_RUNS = 64;
-/** Number of shaded pixels (0.5 ns each) that ranks must save, since three's order decides which of two equal depths is seen. */
-const LEAST_SAVED = 50_000;
+/** Number of runs (successive items of one material and render order) beyond which materials are drawn in three's order. */
+const MOST_RUNS = MOST_MATERIALS;
+/** Number of shaded pixels (0.5 ns each) that an order of materials must save: sorting takes the CPU a few microseconds. */
+const LEAST_SAVED = 10_000;
 /** Clip-space w below which a point counts as behind the camera. */
 const BEHIND = 1e-3;
 
@@ -37,7 +38,7 @@ export interface EstimatedFrame {
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
-  readonly queue: { readonly opaque: readonly RenderItem[] };
+  readonly queue: { readonly opaque: readonly RenderItem[]; readonly isFar: RenderQueue['isFar'] };
 }
 
 const toView = new Matrix4();
@@ -52,10 +53,18 @@ const areas = new Float64Array(MOST_PARTS);
 const keys = new Float64Array(MOST_PARTS);
 /** First item of each run, in the order in which they are drawn; empty between estimates. */
 const runs: RenderItem[] = [];
-/** Index of the first run with the same material, for each run. */
-const firsts = new Uint8Array(MOST_RUNS);
-/** Shading wasted (cells) if a material is drawn before the others without a rank, at the index of its first run. */
-const wastes = new Float64Array(MOST_RUNS);
+/** Place of each run in the order of draws: a run is drawn after those of lower places. */
+const places = new Float64Array(MOST_RUNS);
+/** Number of items of each run. */
+const lengths = new Uint16Array(MOST_RUNS);
+/** 1 for a run whose items are drawn from far to near. */
+const isReversed = new Uint8Array(MOST_RUNS);
+/** Index of each run's material in `ids`. */
+const materialOf = new Uint8Array(MOST_RUNS);
+/** Ids of the runs' materials, ascending. */
+const ids = new Float64Array(MOST_RUNS);
+/** Area of a material (cells) that another one hides, at index material × MOST_RUNS + other. */
+const wastes = new Float64Array(MOST_RUNS * MOST_RUNS);
 /** Share of each cell that the nearer parts of each run cover, 0 to 1. */
 const front = new Float64Array(MOST_CELLS * MOST_CELLS * MOST_RUNS);
 /** Area of a run that another run hides (cells), at index other run × MOST_RUNS + run. */
@@ -70,27 +79,30 @@ export class Overdraw {
   layers = 0;
   /** Number of triangles of the items that a depth pre-pass would draw. */
   triangles = 0;
-  /** Rank of each material in the order of draws, for `RenderQueue.ranks`; the lowest is drawn first. */
-  readonly ranks = new Map<Material, number>();
+  /** Order of materials, for `RenderQueue.order`; null where it saves too little. */
+  order: MaterialOrder | null = null;
+  private readonly found = new MaterialOrder();
   private frames = 0;
   private parts = 0;
   private cells = 1;
 
   /** Counts a drawn frame, and makes an estimate in every 64th. */
-  follow({ camera, width, height, queue: { opaque } }: EstimatedFrame): void {
+  follow({ camera, width, height, queue }: EstimatedFrame): void {
+    const { opaque } = queue;
     const frame = this.frames++ % INTERVAL;
     if (frame < AHEAD && opaque.length <= MOST_ITEMS)
       for (let i = frame; i < opaque.length; i += AHEAD) geometryPoints(opaque[i]);
     if (frame !== AHEAD) return;
-    this.ranks.clear();
+    let saved = 0;
     let layers = 0;
     if (opaque.length <= MOST_ITEMS) {
       const hasFewRuns = this.place(opaque, camera, 0);
       if (!hasFewRuns) this.place(opaque, camera, Math.ceil(opaque.length / MOST_RUNS));
       layers = this.compare();
-      if (hasFewRuns) this.rank();
-      if (this.saved() * width * height < LEAST_SAVED) this.ranks.clear();
+      if (hasFewRuns && runs.length > 0 && isBeside(opaque[0], opaque[opaque.length - 1]))
+        saved = this.findOrder(queue);
     }
+    this.order = saved * width * height < LEAST_SAVED ? null : this.found;
     this.layers = this.frames < INTERVAL ? layers : (this.layers + layers) / 2;
     runs.length = 0;
   }
@@ -112,11 +124,12 @@ export class Overdraw {
       const isAlike = last?.material === item.material && isBeside(last, item) && last.z <= item.z;
       if (last === null || (size > 0 ? i % size === 0 : !isAlike)) {
         if (runs.length === MOST_RUNS) return false;
-        let first = 0;
-        while (first < runs.length && runs[first].material !== item.material) first++;
-        firsts[runs.length] = first;
+        places[runs.length] = (this.order?.rankOf(item.material.id) ?? 0) * MOST_RUNS + runs.length;
+        lengths[runs.length] = 0;
         runs.push(item);
       }
+      const run = runs.length - 1;
+      isReversed[run] = ++lengths[run] > 1 && this.order !== null && item.material.id < this.order.pivot ? 1 : 0;
       last = item;
       this.placeItem(item, camera, step);
     }
@@ -172,10 +185,10 @@ export class Overdraw {
       const own = runOf[part];
       const share = areas[part] * side * side;
       const cell = (Math.floor(rows[part] * side) * side + Math.floor(columns[part] * side)) * MOST_RUNS;
-      let later = 0;
+      let later = isReversed[own] * front[cell + own];
       for (let run = 0; run < runs.length; run++) {
         hides[run * MOST_RUNS + own] += share * front[cell + run];
-        if (run > own) later += front[cell + run];
+        if (places[run] > places[own]) later += front[cell + run];
       }
       wasted += share * Math.min(1, later);
       front[cell + own] = Math.min(1, front[cell + own] + share);
@@ -183,50 +196,29 @@ export class Overdraw {
     return wasted / (side * side);
   }
 
-  /** Ranks materials: each next one is the material that wastes least shading when drawn before all that are left. */
-  private rank(): void {
+  /** Finds the order of the runs' materials. @returns mean number of shadings of a pixel that it saves against three's order */
+  private findOrder(queue: EstimatedFrame['queue']): number {
+    let count = 0;
     wastes.fill(0);
-    for (let run = 0; run < runs.length; run++) addWastes(run, 1);
-    for (let rank = 0; rank < runs.length; rank++) {
-      let next = -1;
-      for (let run = 0; run < runs.length; run++) {
-        if (firsts[run] !== run || this.ranks.has(runs[run].material)) continue;
-        if (next < 0 || wastes[run] < wastes[next]) next = run;
-      }
-      if (next < 0) return;
-      this.ranks.set(runs[next].material, rank);
-      for (let run = next; run < runs.length; run++) if (firsts[run] === next) addWastes(run, -1);
+    for (let run = 0; run < runs.length; run++) {
+      const { id } = runs[run].material;
+      if (count > 0 && id < ids[count - 1]) return 0; // the host has an order of its own
+      if (count === 0 || id > ids[count - 1]) ids[count++] = id;
+      materialOf[run] = count - 1;
     }
-  }
-
-  /** Mean number of shadings of a pixel that drawing by `ranks` saves against three's order. */
-  private saved(): number {
-    if (this.ranks.size === 0) return 0;
-    let saved = 0;
-    for (let one = 0; one < runs.length; one++) {
-      for (let other = 0; other < one; other++) {
-        const [a, b] = [runs[one].material, runs[other].material];
-        const isFirst = a.id < b.id;
-        if (a === b || isFirst === this.ranks.get(a)! < this.ranks.get(b)! || !isBeside(runs[one], runs[other]))
-          continue;
-        saved += (isFirst ? 1 : -1) * (hides[other * MOST_RUNS + one] - hides[one * MOST_RUNS + other]);
+    for (let run = 0; run < runs.length; run++) {
+      const row = materialOf[run] * MOST_RUNS;
+      for (let other = 0; other < runs.length; other++) {
+        if (run !== other || lengths[run] > 1) wastes[row + materialOf[other]] += hides[other * MOST_RUNS + run];
       }
     }
-    return saved / this.cells;
+    for (const item of queue.opaque) {
+      // must not be drawn by LessDepth
+      const material = ids.indexOf(item.material.id);
+      if (material >= 0 && material < count && queue.isFar(item)) wastes[material * MOST_RUNS + material] = Infinity;
+    }
+    return this.found.find(ids, count, wastes) / this.cells;
   }
-}
-
-/** Adds to `wastes`, times `sign`: shading wasted if each run's material is drawn before `run`, less that of the reverse order. */
-function addWastes(run: number, sign: number): void {
-  for (let other = 0; other < runs.length; other++) {
-    if (!isBeside(runs[run], runs[other])) continue;
-    wastes[firsts[other]] += sign * (hides[run * MOST_RUNS + other] - hides[other * MOST_RUNS + run]);
-  }
-}
-
-/** Whether two items may be drawn in either order. */
-function isBeside(a: RenderItem, b: RenderItem): boolean {
-  return a.groupOrder === b.groupOrder && a.renderOrder === b.renderOrder;
 }
 
 function trianglesOf({ object, geometry, group }: RenderItem): number {

@@ -28,6 +28,7 @@ export class LitMaterialsPass implements Pass {
       return;
     }
     const twins = lights.twins(frame.view);
+    frame.beginOrder(); // the thin G-buffer's items are in this order
     try {
       for (let i = 0; i < items.length; i++) {
         setObject(frame.gl, objectNumber(i), 0);
@@ -35,6 +36,7 @@ export class LitMaterialsPass implements Pass {
         items[i].drawn = true;
       }
     } finally {
+      frame.queue.endOrder();
       resetObject(frame.gl);
     }
   }

@@ -77,12 +77,13 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     const { items } = this;
     items.length = 0;
     try {
-      for (const item of frame.queue.opaque) {
+      for (const item of frame.beginOrder()) {
         if (item.route !== 'split' || item.layered || !this.isLit(item)) continue;
         setObject(frame.gl, objectNumber(items.length), 0);
         frame.drawTwin(item, this.twins.opaque);
         items.push(item);
       }
+      frame.queue.endOrder();
       if (this.options.stipple) this.drawTransparent(frame);
     } finally {
       resetObject(frame.gl);

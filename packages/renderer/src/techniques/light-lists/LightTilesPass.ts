@@ -74,6 +74,7 @@ export class LightTilesPass implements Pass {
 
   render(frame: Frame): void {
     frame.resources.put('light-lists', LISTS);
+    frame.lights.tileLists = this.use;
     if (frame.fields !== null) return frame.fields.makeTiles(frame, this.use);
     const { lights, width, height } = frame;
     const x = Math.ceil(width / (1 << TILE_SHIFT));

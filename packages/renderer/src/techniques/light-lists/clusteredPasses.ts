@@ -14,7 +14,7 @@ addBuiltinMicroShaders({ addOther, addPoint, lightLoopClustered, lightTiles, til
 
 /** The passes of 'clustered-forward'. */
 export function clusteredForwardPasses(): Pass[] {
-  return [new LightGridPass(), ...forwardTail('lightLoopClustered', ['light-lists'])];
+  return [new LightGridPass(), ...forwardTail('lightLoopClustered', ['light-lists'], 'lightLoopClustered', true)];
 }
 
 /** The passes of 'clustered-deferred'. */

@@ -15,7 +15,7 @@ addBuiltinMicroShaders(tiledChunks);
 
 /** The passes of 'tiled-forward'. */
 export function tiledForwardPasses(): Pass[] {
-  return [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'])];
+  return [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopTiled', true)];
 }
 
 /** The passes of 'forward-plus': a depth pre-pass, light lists by tile, then the materials. */
