@@ -42,7 +42,7 @@ const options = Object.fromEntries([
 const page = join(root, '.cache/bake-bench');
 
 try {
-  const { values } = parseArgs({ options });
+  const values = /** @type {Record<string, string | boolean | undefined>} */ (parseArgs({ options }).values);
   if (values.help) console.log(help);
   else {
     const hasVite = existsSync(join(root, 'node_modules/vite'));

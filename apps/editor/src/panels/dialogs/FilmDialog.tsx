@@ -55,6 +55,8 @@ let last: FilmSettings = {
   ...{ shot: 'shown', turns: 1, plays: true, quality: 'good', bitrate: null, isTransparent: false },
 };
 
+const keep = (settings: FilmSettings): FilmSettings => (last = settings);
+
 const even = (value: number): number => Math.max(2, 2 * Math.round(value / 2));
 
 /** Viewpoints that the scene offers for a film. */
@@ -89,7 +91,7 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const { size: shown } = editor.viewport;
   const [settings, show] = useState(last);
-  const set = (change: Partial<FilmSettings>): void => show((last = { ...last, ...change }));
+  const set = (change: Partial<FilmSettings>): void => show(keep({ ...last, ...change }));
   /** Value and setter of a setting, for its row. */
   const bind = <Key extends keyof FilmSettings>(key: Key) => ({
     value: settings[key],
