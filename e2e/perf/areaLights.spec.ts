@@ -1,4 +1,4 @@
-import { areaLightCost } from './areaLightCost';
+import { areaLightCost } from './areaLightCost.long';
 import { expect, test } from './perfTest';
 
 /**

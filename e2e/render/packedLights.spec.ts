@@ -56,6 +56,9 @@ test('thousands of point lights, which the GPU sorts, look as when the CPU sorts
     lights[11].color.setRGB(1, 0, 0);
     lights[11].intensity = 4;
     await compare('changed');
+    bench.webgl.shadowMap.enabled = true;
+    beam.castShadow = floor.receiveShadow = true;
+    await compare('with a shadow map');
     scene.position.set(30_000, 0, 30_000);
     camera.position.add(scene.position);
     await compare('far away');

@@ -34,27 +34,15 @@ const help = `node packages/tools/benchBake.mjs [options]
   --json FILE         writes the figures
   --help              this text`;
 
-const text = /** @type {const} */ ({ type: 'string' });
-const flag = /** @type {const} */ ({ type: 'boolean' });
+const texts = ['size', 'bounces', 'samples', 'settings', 'reference', 'lights', 'slice', 'padding', 'techniques'];
+const options = Object.fromEntries([
+  ...[...texts, 'frame', 'rounds', 'turn', 'json'].map((name) => [name, /** @type {const} */ ({ type: 'string' })]),
+  ...['gpu', 'built', 'help'].map((name) => [name, /** @type {const} */ ({ type: 'boolean' })]),
+]);
 const page = join(root, '.cache/bake-bench');
 
 try {
-  const { values } = parseArgs({
-    options: {
-      ...{
-        size: text,
-        bounces: text,
-        samples: text,
-        settings: text,
-        reference: text,
-        lights: text,
-        slice: text,
-        padding: text,
-        techniques: text,
-      },
-      ...{ frame: text, rounds: text, turn: text, gpu: flag, built: flag, json: text, help: flag },
-    },
-  });
+  const values = /** @type {Record<string, string | boolean | undefined>} */ (parseArgs({ options }).values);
   if (values.help) console.log(help);
   else {
     const hasVite = existsSync(join(root, 'node_modules/vite'));

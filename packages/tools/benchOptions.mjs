@@ -35,29 +35,10 @@ drawing (SVG) of each chart. Prints a table of each case beside what apps/lab/re
 
 The browser is CHROMIUM_PATH, or the one that npm test finds. Figures are medians of the rounds' medians.`;
 
-/**
- * @typedef {object} BenchOptions
- * @property {string} fragment of the Lab's address
- * @property {boolean} regret
- * @property {number[] | null} lights null for those of the preset
- * @property {boolean} rivals
- * @property {number} timeout s
- * @property {number} minutes 0 for no limit
- * @property {boolean} resume
- * @property {string | null} name
- * @property {boolean} withoutPictures
- * @property {string | null} reference
- * @property {boolean} write
- * @property {boolean} gpu
- * @property {string | null} dist
- * @property {string | null} against
- * @property {boolean} buildOnly
- * @property {string} out
- * @property {boolean} help
- */
+/** @typedef {ReturnType<typeof parseBenchOptions>} BenchOptions */
 
 const text = /** @type {const} */ ({ type: 'string' });
-const flag = /** @type {const} */ ({ type: 'boolean' });
+const flag = /** @type {const} */ ({ type: 'boolean', default: false });
 
 /** All options as `parseArgs` takes them. */
 export const optionTypes = {
@@ -71,7 +52,6 @@ export const optionTypes = {
  * Reads the command line.
  *
  * @param {string[]} args
- * @returns {BenchOptions}
  * @throws {Error} that names the option, its value and what is allowed
  */
 export function parseBenchOptions(args) {
@@ -79,32 +59,28 @@ export function parseBenchOptions(args) {
   if (values['build-only'] && values.dist !== undefined) {
     throw new Error('--build-only makes a build and --dist names one: give one of the two.');
   }
-  if ([values.preset, values.link, values.regret].filter((value) => value !== undefined).length > 1) {
+  if ([values.preset, values.link, values.regret || undefined].filter((value) => value !== undefined).length > 1) {
     throw new Error('--preset, --link and --regret all say what to measure: give one of them.');
   }
-  const { reference = null } = values;
+  const { reference = null, regret, rivals, write, gpu, help } = values;
   if (reference !== null && !/^[a-z0-9-]+$/.test(reference)) {
     throw new Error(`--reference ${reference}: small letters, digits and hyphens are needed, as in h200-thesis.`);
   }
   const isReference = reference !== null;
   return {
-    fragment: fragmentOf({ preset: isReference || values.regret ? 'thesis' : 'regression', ...values }),
-    regret: values.regret ?? false,
+    fragment: fragmentOf({ preset: isReference || regret ? 'thesis' : 'regression', ...values }),
     lights: values.lights === undefined ? null : lightsOf(values.lights),
-    rivals: values.rivals ?? false,
     timeout: number('timeout', values.timeout ?? '300', { min: 1 }),
     minutes: number('minutes', values.minutes ?? '0', { min: 0 }),
-    resume: (values.resume ?? false) || isReference,
+    resume: values.resume || isReference,
     name: values.name ?? null,
-    withoutPictures: (values['without-pictures'] ?? false) || isReference,
+    withoutPictures: values['without-pictures'] || isReference,
     reference,
-    write: values.write ?? false,
-    gpu: values.gpu ?? false,
+    ...{ regret, rivals, write, gpu, help },
     dist: values.dist ?? null,
     against: values.against ?? null,
-    buildOnly: values['build-only'] ?? false,
+    buildOnly: values['build-only'],
     out: values.out ?? (isReference ? `.cache/reference/${reference}` : 'bench-results'),
-    help: values.help ?? false,
   };
 }
 

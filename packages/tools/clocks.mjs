@@ -18,14 +18,14 @@ const ANY = /performance|Date|set(Timeout|Interval)|waitForTimeout|hrtime|cpuUsa
 /**
  * Uses of time in the source of a test: clocks, and frames of a page that are counted to wait for something. Fake
  * clocks do not count, nor does a loop that asks in each frame whether something is there. Files `*.verify.test.ts` and
- * tests with `@verify` or `@long` in their titles may use time.
+ * `*.long.ts`, and tests with `@verify` or `@long` in their titles, may use time.
  *
  * @param {string} path
  * @param {string} source - TypeScript
  * @returns {string[]} a line each: the path, the number of the line, and what is used there
  */
 export function clocksIn(path, source) {
-  if (/\.verify\.test\.tsx?$/.test(path) || !ANY.test(source)) return [];
+  if (/\.(verify\.test|long)\.tsx?$/.test(path) || !ANY.test(source)) return [];
   const { program } = parseSync(path, source);
   const textOf = (/** @type {Node} */ { start, end }) => source.slice(start, end);
   /** Functions of the file that wait for a frame. @type {string[]} */
@@ -83,28 +83,4 @@ function isOfVerify(node, textOf) {
   if (node.type !== 'CallExpression' || !/^(test|it|describe)\b/.test(textOf(node.callee))) return false;
   const [title, details] = node.arguments;
   return [title, details].some((each) => each && !/Function/.test(each.type) && /@(verify|long)\b/.test(textOf(each)));
-}
-
-/**
- * Maximum number of uses of time by file, and why they are there. It may only shrink: wait for the thing itself, count
- * work, or move the test to verify.
- *
- * @type {readonly { file: string, most: number, reason: string }[]}
- */
-export const clockLimits = [
-  { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws, for a test of @long alone' },
-];
-
-/**
- * @param {ReadonlyMap<string, readonly string[]>} uses - of `clocksIn`, by path
- * @param {typeof clockLimits} limits
- * @returns {string[]} uses that no limit allows, and limits that nothing needs
- */
-export function clocksOverLimit(uses, limits) {
-  const over = [...uses].flatMap(([path, lines]) => {
-    const most = limits.find(({ file }) => file === path)?.most ?? 0;
-    return lines.length > most ? lines.map((line) => (most > 0 ? `${line} (at most ${most} in this file)` : line)) : [];
-  });
-  const needless = limits.filter(({ file }) => !uses.get(file)?.length);
-  return [...over, ...needless.map(({ file }) => `${file} uses no time: take it out of clockLimits`)];
 }

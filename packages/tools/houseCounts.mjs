@@ -10,7 +10,7 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 40,
-  lines: 188_590,
+  lines: 188_708,
 };
 
 /** First words by which a docblock hides its noun. */

@@ -3,17 +3,6 @@ import { parseSync } from 'vite';
 import { importsOf, targetOf } from './importsOf.mjs';
 
 /**
- * How many files the largest import circle of a folder may have, 0 for no circle at all: `static` by static imports of values,
- * `fetched` when `import()` at run time counts too. Files in a circle can only be read, moved and tested together. Numbers go
- * down, never up.
- */
-export const circleLimits = [
-  { folder: 'packages', static: 0, fetched: 0 },
-  { folder: 'apps', static: 0, fetched: 0 },
-  { folder: 'e2e', static: 2, fetched: 2 },
-];
-
-/**
  * Targets by path and kind of import. `types`: by `import type`, `export type` and `import('./X').T`, which are gone at run time;
  * `import { type X }` is a value, since it loads the module. `fetched`: by `import('./X')` at run time.
  *
@@ -59,23 +48,6 @@ export function circlesAcrossFolders(circles) {
   return circles.flatMap((circle) => {
     const folders = new Set(circle.map((path) => /^.*?\/src\/[^/]+(?=\/)/.exec(path)?.[0] ?? dirname(path)));
     return folders.size > 1 ? [`a circle over ${[...folders].join(', ')}: ${circle.join(', ')}`] : [];
-  });
-}
-
-/**
- * Circles that are larger than the limit of their folder, the first one of the table that holds a file of the circle.
- *
- * @param {string[][]} circles - as {@link importCircles} gives them
- * @param {readonly { folder: string, files: number }[]} limits - files: how many the largest circle may have
- * @returns {string[]} one line a circle; empty when all is well
- */
-export function circlesOverLimit(circles, limits) {
-  return circles.flatMap((circle) => {
-    const limit = limits.find(({ folder }) => circle.some((path) => path.startsWith(`${folder}/`)));
-    if (!limit || circle.length <= limit.files) return [];
-    return [
-      `${limit.folder}: a circle of ${circle.length} files, at most ${limit.files} allowed: ${circle.join(', ')}`,
-    ];
   });
 }
 

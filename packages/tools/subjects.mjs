@@ -112,7 +112,7 @@ export const components = Object.entries({
   'editor/areaLights': ['Light', 'SkyLight', 'applyLightFields', 'lightFields', 'newLights', 'newShadows'],
   'editor/assets': ['ModelRenderer', 'importModel', 'objectsOfModel'],
   'editor/morphTargets': ['MorphTargets'],
-  'editor/newcomer': ['OwnShape', 'Room', 'Wall'],
+  'editor/newcomer': ['Room', 'Wall', 'shapeComponent'],
   'editor/particles': ['ParticleEmitter', 'particle'],
   'editor/physics': ['Collider', 'Joint', 'RigidBody'],
   'editor/timeline': ['Animation', 'Animator'],

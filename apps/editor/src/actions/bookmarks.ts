@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { SceneView } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
-import { SetView } from '../model/commands/SetView';
+import { setView } from '../model/commands/SetValue';
 
 /** Numbers under which views can be stored with a scene. */
 export const places = [1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
@@ -15,7 +15,7 @@ export function keepView({ commands, document, viewport }: EditorApi, place: num
   const { scene } = document;
   const before = scene.views.get(place);
   const view = { name: before?.name ?? '', ...viewport.editorCamera.pose };
-  commands.run(new SetView(t('Keep view {place}', { place }), scene, place, view));
+  commands.run(setView(t('Keep view {place}', { place }), scene, place, view));
 }
 
 /** Moves the active view to a stored pose. */

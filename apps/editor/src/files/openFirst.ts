@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { shortText, t } from '@farol/editing';
 import { type AssetLibrary, Light, type Scene } from '@farol/engine';
 import { scenes } from '@farol/scenes';
 import type { EditorApi } from '../api/EditorApi';
@@ -15,10 +15,12 @@ export async function openFirst(editor: EditorApi, name: string | null, read: Re
   else {
     await openTemple(editor, read);
     if (name === null) return;
-    const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
     editor.notices.show(
       'warning',
-      t('There is no scene “{text}”: there are empty, {names}.', { text, names: Object.keys(samples).join(', ') }),
+      t('There is no scene “{text}”: there are empty, {names}.', {
+        text: shortText(name, 60),
+        names: Object.keys(samples).join(', '),
+      }),
     );
   }
 }

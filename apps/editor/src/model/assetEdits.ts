@@ -13,7 +13,7 @@ import { canRename, endingOf, freeAssetName, freeNameAmong, joinName, splitName 
 import { AddAssets } from './commands/AddAssets';
 import { RenameAsset } from './commands/RenameAsset';
 import { Sequence } from './commands/Sequence';
-import { SetFolder } from './commands/SetFolder';
+import { setFolder } from './commands/SetValue';
 import { SetPrefab } from './commands/SetPrefab';
 import { setSources, sourcesAfterRename } from './scriptImports';
 
@@ -169,7 +169,7 @@ export function addFolder(scene: Scene, path: string): Command {
   const name = checkedName(assets, path, path);
   if (foldersOf(scene).includes(name) || assets.has(name))
     throw new AssetError(name, t('is there already: choose another name.'));
-  return new SetFolder(t('Made folder {name}', { name }), assets, name, true);
+  return setFolder(t('Made folder {name}', { name }), assets, name, true);
 }
 
 /** Renames a folder with everything in it. @throws AssetError when the path exists */
@@ -186,8 +186,8 @@ export function renameFolder(scene: Scene, from: string, to: string): Command {
     () =>
       renameAll(scene, label, new Map(assetsBelow(scene, from).map((name) => [name, next(placedName(scene, name))]))),
     ...made.flatMap((folder) => [
-      () => new SetFolder(label, assets, next(folder), true),
-      () => new SetFolder(label, assets, folder, false),
+      () => setFolder(label, assets, next(folder), true),
+      () => setFolder(label, assets, folder, false),
     ]),
   ]);
 }
@@ -206,7 +206,7 @@ export function removeFolder(scene: Scene, path: string): Command {
   const made = assets.folders.filter((folder) => folder === path || folder.startsWith(`${path}/`));
   return new Sequence(
     label,
-    made.map((folder) => () => new SetFolder(label, assets, folder, false)),
+    made.map((folder) => () => setFolder(label, assets, folder, false)),
   );
 }
 

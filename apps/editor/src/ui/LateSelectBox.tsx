@@ -7,7 +7,9 @@ const LateBox = lateComponent<SelectBoxProps<string>>(
   async () => (await import('./SelectBox')).SelectBox,
   ({ value, options, label }) => (
     <button type="button" className="select" aria-label={label} disabled>
-      <span className="select-value">{options.find((option) => option.value === value)?.label ?? value ?? '—'}</span>
+      <span className="select-value one-line">
+        {options.find((option) => option.value === value)?.label ?? value ?? '—'}
+      </span>
       <Icon name="down" size={12} />
     </button>
   ),

@@ -27,8 +27,9 @@ export interface NumberInputProps {
   onPreview(value: number): void;
   /** Previews a relative change of each value, such as '+=0.5'; `onPreview` is used when absent. */
   onPreviewEach?(update: (before: number) => number): void;
-  onCommit(): void;
-  onDiscard(): void;
+  /** Ends an edit, or takes it back; absent where previews are applied for good. */
+  onCommit?(): void;
+  onDiscard?(): void;
 }
 
 /** Text that is being typed into the number input, with the value before. */
@@ -81,12 +82,12 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   const commit = (): void => {
     if (!start.current) return;
     start.current = null;
-    props.onCommit();
+    props.onCommit?.();
   };
   const discard = (): void => {
     if (!start.current) return;
     start.current = null;
-    props.onDiscard();
+    props.onDiscard?.();
   };
 
   const type = (text: string): void => {

@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import { Combobox } from '@base-ui/react/combobox';
 import type { ReactNode } from 'react';
 import { Icon } from './Icon';
+import { IconButton } from './IconButton';
 
 export interface SearchOption {
   readonly value: string;
@@ -38,19 +39,16 @@ export function SearchSelect(props: SearchSelectProps): ReactNode {
       <div className="search-select">
         <Combobox.Trigger className="select" aria-label={label} aria-description={description}>
           {current && pictureOf && <span className="option-picture">{pictureOf(current)}</span>}
-          <span className="select-value">{current?.label ?? placeholder}</span>
+          <span className="select-value one-line">{current?.label ?? placeholder}</span>
           <Icon name="down" size={12} />
         </Combobox.Trigger>
         {current && !disabled && (
-          <button
-            type="button"
-            className="button small"
-            aria-label={t('Clear {label}', { label })}
+          <IconButton
+            icon="close"
+            label={t('Clear {label}', { label })}
             title={t('Clear')}
             onClick={() => onChange(null)}
-          >
-            <Icon name="close" size={12} />
-          </button>
+          />
         )}
       </div>
       <Combobox.Portal>

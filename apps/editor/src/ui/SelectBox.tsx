@@ -32,7 +32,7 @@ export function SelectBox<T extends string>(props: SelectBoxProps<T>): ReactNode
       }}
     >
       <Select.Trigger className="select" aria-label={label} aria-description={description} title={current?.help}>
-        <span className="select-value">{current?.label ?? value ?? '—'}</span>
+        <span className="select-value one-line">{current?.label ?? value ?? '—'}</span>
         <Icon name="down" size={12} />
       </Select.Trigger>
       <Select.Portal>

@@ -5,15 +5,13 @@ import { Toggle } from './Toggle';
 interface SettingRowProps<T> {
   readonly label: string;
   readonly value: T;
-  /** CSS class of the row; 'tool-row' when absent. */
-  readonly className?: string;
   onChange(value: T): void;
 }
 
 /** Row with a switch, for a setting of a tool or dialog. */
-export function SwitchRow({ className = 'tool-row', ...props }: SettingRowProps<boolean>): ReactNode {
+export function SwitchRow(props: SettingRowProps<boolean>): ReactNode {
   return (
-    <div className={className}>
+    <div className="setting-row">
       <span aria-hidden="true">{props.label}</span>
       <Toggle {...props} />
     </div>
@@ -25,9 +23,9 @@ interface ChoiceRowProps<T extends string> extends SettingRowProps<T> {
 }
 
 /** Row with a list of choices, for a setting of a tool or dialog. */
-export function ChoiceRow<T extends string>({ className = 'tool-row', ...props }: ChoiceRowProps<T>): ReactNode {
+export function ChoiceRow<T extends string>(props: ChoiceRowProps<T>): ReactNode {
   return (
-    <div className={className}>
+    <div className="setting-row">
       <span aria-hidden="true">{props.label}</span>
       <SelectBox {...props} />
     </div>

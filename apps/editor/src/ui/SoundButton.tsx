@@ -3,7 +3,7 @@ import type { Sound } from '@farol/engine';
 import { type ReactNode, useEffect, useState } from 'react';
 import { soundPreview } from '../files/soundPreview';
 import { useEditor, useSignal } from './EditorContext';
-import { Icon } from './Icon';
+import { IconButton } from './IconButton';
 
 /** Duration as text: '0.7 s', '3:05'. */
 export const lengthText = (seconds: number): string =>
@@ -40,15 +40,7 @@ export function SoundButton({ name }: { name: string }): ReactNode {
   const label = isPlaying ? t('Pause {name}', { name }) : t('Play {name}', { name });
   return (
     <span className="sound-button">
-      <button
-        type="button"
-        className="button small"
-        aria-label={label}
-        title={label}
-        onClick={() => editor.attempt(play)}
-      >
-        <Icon name={isPlaying ? 'pause' : 'play'} size={12} />
-      </button>
+      <IconButton icon={isPlaying ? 'pause' : 'play'} label={label} onClick={() => editor.attempt(play)} />
       {seconds !== null && <span>{lengthText(seconds)}</span>}
     </span>
   );

@@ -13,6 +13,7 @@ const REACH = { mouse: 4, finger: 8 };
 export class MenuPress {
   private readonly from = new Vector2();
   private readonly to = new Vector2();
+  private readonly end = new AbortController();
   private pointer: number | null = null;
   private reach = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -23,19 +24,16 @@ export class MenuPress {
     private readonly open: (x: number, y: number) => void,
   ) {
     const { canvas } = viewport;
-    canvas.addEventListener('pointerdown', this.pointerDown);
-    canvas.addEventListener('pointermove', this.pointerMove);
-    canvas.addEventListener('pointerup', this.pointerUp);
-    canvas.addEventListener('pointercancel', this.cancel);
+    const { signal } = this.end;
+    canvas.addEventListener('pointerdown', this.pointerDown, { signal });
+    canvas.addEventListener('pointermove', this.pointerMove, { signal });
+    canvas.addEventListener('pointerup', this.pointerUp, { signal });
+    canvas.addEventListener('pointercancel', this.cancel, { signal });
   }
 
   dispose(): void {
-    const { canvas } = this.viewport;
     this.cancel();
-    canvas.removeEventListener('pointerdown', this.pointerDown);
-    canvas.removeEventListener('pointermove', this.pointerMove);
-    canvas.removeEventListener('pointerup', this.pointerUp);
-    canvas.removeEventListener('pointercancel', this.cancel);
+    this.end.abort();
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {

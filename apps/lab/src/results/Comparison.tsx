@@ -6,6 +6,7 @@ import { compareSpreads, SAME } from '../words/compareSpreads';
 import { formatDate, formatNumber } from '../words/format';
 import { caseText, competitorLabel } from '../words/names';
 import { seriesLabel } from '../words/seriesLabel';
+import { Select } from '../ui/Select';
 import type { LabRun, Metric } from './LabRun';
 import './results.css';
 
@@ -39,20 +40,13 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
       )}
       {rows.length > 0 && (
         <>
-          <p class="inline-field">
-            <label for="comparison-metric">{t('Compare')}</label>
-            <select
-              id="comparison-metric"
-              value={metric}
-              onChange={({ currentTarget }) => setChosen(currentTarget.value as Metric)}
-            >
-              {Object.entries(metrics).map(([key, label]) => (
-                <option key={key} value={key}>
-                  {t(label)}
-                </option>
-              ))}
-            </select>
-          </p>
+          <Select
+            class="inline-field"
+            label={t('Compare')}
+            value={metric}
+            options={Object.entries(metrics).map(([key, label]) => [key, t(label)])}
+            onChange={(next) => setChosen(next as Metric)}
+          />
           <div class="table-scroll" tabIndex={0} role="region" aria-label={t('Means by competitor')}>
             <table class="rows">
               <caption>{t('Geometric mean of the ratios over the cases that both runs have')}</caption>

@@ -1,3 +1,5 @@
+import { shortText } from '@farol/editing';
+
 /** Checks a value of unknown origin. @returns a copy of its known parts @throws FormatError */
 export type Check<T> = (value: unknown, path: string) => T;
 
@@ -16,8 +18,7 @@ function refuse(path: string, value: unknown, mend: string): never {
 function quoted(value: unknown): string {
   if (Array.isArray(value)) return `a list of ${value.length}`;
   if (typeof value === 'object' && value !== null) return 'an object';
-  const text = typeof value === 'string' ? JSON.stringify(value) : String(value);
-  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
+  return shortText(typeof value === 'string' ? JSON.stringify(value) : String(value));
 }
 
 const isObject = (value: unknown): value is Record<string, unknown> =>

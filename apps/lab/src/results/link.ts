@@ -1,3 +1,4 @@
+import { shortText } from '@farol/editing';
 import { competitorNames } from '../competitors/competitorNames';
 import type { Configuration, SeriesChoice } from '../plan/Configuration';
 import { type Axis, isNamed } from '../plan/LabPlan';
@@ -43,16 +44,14 @@ export function linkOf(configuration: Configuration): string {
 /** Names of all settings of the address. */
 export const linkNames = ['preset', 'series', 'size', 'techniques', 'rounds', 'turn', 'changes', 'longest', 'seconds'];
 
-/** Maximum length of a name or a value in a problem; longer ones are cut. */
-const MOST_LETTERS = 60;
+/** A name or a value as a problem quotes it. */
+const shortened = (text: string): string => shortText(text, 60);
 /** Maximum number of problems listed of one kind; further ones are counted. */
 const MOST_PROBLEMS = 3;
 
 /** Maximum number of series of a plan, and of values of a series. */
 const MOST_SERIES = 50;
 const MOST_VALUES = 200;
-
-const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
 /** Adds the first problems of a kind. @param others - text added when more are left out, with `#` for their number */
 function addProblems(problems: string[], all: readonly string[], others: string): void {
@@ -154,7 +153,7 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
   }
   if (problem === null) return [choice];
   // the message is cut, since messages of a plan quote names in full
-  const reason = problem.length > 400 ? `${problem.slice(0, 400)}…` : problem;
+  const reason = shortText(problem, 400);
   problems.push(
     `series=${shortened(text)} is left out: ${reason}. A series is scene:axis:values, as in sponza:lights:10,100.`,
   );

@@ -29,13 +29,7 @@ export function Setup({ configuration, planned, unavailable, ownScene, isBusy, o
       <PresetCards presets={offered} chosen={isOwn ? 'own' : configuration.preset} onChoose={onChange} />
       <details class="own">
         <summary>{t('Build your own')}</summary>
-        <Builder
-          configuration={configuration}
-          unavailable={unavailable}
-          ownScene={ownScene}
-
-          onChange={onChange}
-        />
+        <Builder configuration={configuration} unavailable={unavailable} ownScene={ownScene} onChange={onChange} />
       </details>
       <div class="begin">
         <button type="button" class="framed" disabled={isBusy || planned.plan === null} onClick={onMeasure}>

@@ -1,5 +1,6 @@
 import { t } from '@farol/editing';
 import { useState } from 'preact/hooks';
+import { Select } from './Select';
 import { storedTheme, storeTheme, type Theme } from './support/theme';
 
 const labels: Record<Theme, string> = { system: 'System', light: 'Light##theme', dark: 'Dark' };
@@ -12,15 +13,12 @@ export function ThemeSelect() {
     setTheme(next);
   };
   return (
-    <label class="inline-field">
-      {t('Theme')}
-      <select value={theme} onChange={({ currentTarget }) => choose(currentTarget.value as Theme)}>
-        {Object.entries(labels).map(([value, label]) => (
-          <option key={value} value={value}>
-            {t(label)}
-          </option>
-        ))}
-      </select>
-    </label>
+    <Select
+      class="inline-field"
+      label={t('Theme')}
+      value={theme}
+      options={Object.entries(labels).map(([value, label]) => [value, t(label)])}
+      onChange={(next) => choose(next as Theme)}
+    />
   );
 }

@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { shortText, t } from '@farol/editing';
 import type { Field, FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
@@ -82,7 +82,9 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
   }
   for (const name of unknown.slice(0, MOST_UNKNOWN)) {
     problems.push(
-      t('{name} in the address is unknown and left out.', { name: shortened(name) || t('A name of no letters') }),
+      t('{name} in the address is unknown and left out.', {
+        name: shortened(name) || t('A name of no letters'),
+      }),
     );
   }
   if (unknown.length > MOST_UNKNOWN)
@@ -94,10 +96,8 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
 /** Unknown names that are reported one by one; further ones are only counted. */
 const MOST_UNKNOWN = 3;
 
-/** Maximum length of a name or a value in a problem; longer ones are cut. */
-const MOST_LETTERS = 60;
-
-const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
+/** A name or a value as a problem quotes it. */
+const shortened = (text: string): string => shortText(text, 60);
 
 function oneOf(text: string, allowed: readonly string[]): string {
   if (!allowed.includes(text))

@@ -15,37 +15,26 @@ const keys = (): [string, string][] => [
 
 /** The help over the picture: keys, and all parameters of the address. Opened by its button, F1 or `?`. */
 export class HelpPanel {
-  private readonly dialog = document.createElement('dialog');
-  private readonly button = document.createElement('button');
+  private readonly dialog = element('dialog', { className: 'help', ariaLabel: t('Help'), tabIndex: -1 });
+  private readonly button = element('button', { type: 'button', className: 'help-button', textContent: '?' });
 
   constructor(parent: HTMLElement, known: KnownNames) {
     const { button } = this;
-    button.type = 'button';
-    button.className = 'help-button';
-    button.textContent = '?';
     button.title = t('Keys and address parameters (?)');
-    button.setAttribute('aria-label', t('Help'));
+    button.ariaLabel = t('Help');
     button.addEventListener('click', () => this.toggle());
 
-    this.dialog.className = 'help';
-    this.dialog.setAttribute('aria-label', t('Help'));
-    this.dialog.tabIndex = -1;
-    const close = document.createElement('button');
-    close.type = 'button';
-    close.textContent = t('Close');
+    const close = element('button', { type: 'button', textContent: t('Close') });
     close.addEventListener('click', () => this.dialog.close());
-    const examples = document.createElement('a');
-    examples.href = 'https://github.com/farol-renderer/farol/tree/main/apps/site/live/gallery';
-    examples.target = '_blank';
-    examples.rel = 'noopener noreferrer';
-    examples.textContent = t('Examples for your own page');
+    const href = 'https://github.com/farol-renderer/farol/tree/main/apps/site/live/gallery';
+    const textContent = t('Examples for your own page');
     this.dialog.append(
-      heading(t('Keys')),
+      element('h2', { textContent: t('Keys') }),
       table(keys()),
-      heading(t('Address')),
+      element('h2', { textContent: t('Address') }),
       table(addressHelp(known).map(([name, text]) => [`?${name}=`, text])),
       close,
-      examples,
+      element('a', { href, textContent, target: '_blank', rel: 'noopener noreferrer' }),
     );
     parent.append(button, this.dialog);
   }
@@ -126,20 +115,13 @@ function allowed(field: Field): string {
   return field.min !== undefined ? `${t('{min} or more.', { min: field.min })} ` : '';
 }
 
-function heading(text: string): HTMLElement {
-  const element = document.createElement('h2');
-  element.textContent = text;
-  return element;
-}
+/** A new element with these properties. */
+const element = <K extends keyof HTMLElementTagNameMap>(name: K, properties: Partial<HTMLElementTagNameMap[K]>) =>
+  Object.assign(document.createElement(name), properties);
 
 function table(rows: readonly (readonly [string, string])[]): HTMLElement {
   const list = document.createElement('dl');
-  for (const [term, text] of rows) {
-    const name = document.createElement('dt');
-    name.textContent = term;
-    const meaning = document.createElement('dd');
-    meaning.textContent = text;
-    list.append(name, meaning);
-  }
+  for (const [term, text] of rows)
+    list.append(element('dt', { textContent: term }), element('dd', { textContent: text }));
   return list;
 }

@@ -8,6 +8,7 @@ import { chooseFiles } from '../chooseFiles';
 import { modelParameters } from '../model/modelScene';
 import { effectEntries } from '../state/effectParameters';
 import { known } from '../state/known';
+import type { ViewerState } from '../state/ViewerState';
 import type { Viewer } from '../Viewer';
 import { StatisticsPanel } from './StatisticsPanel';
 
@@ -29,6 +30,12 @@ const labelled = (names: readonly string[], labels: Record<string, string> = {})
 const swapped = (table: Readonly<Record<string, string>>): Record<string, string> =>
   Object.fromEntries(Object.entries(table).map(([key, value]) => [value, key]));
 
+/** Values of a state that the menu shows. */
+const valuesOf = ({ technique, view, quality, budget, aa, decals, particles, rectangles, time }: ViewerState) => ({
+  ...{ technique, view, quality, budget, aa, decals, particles, rectangles },
+  stopped: time !== null,
+});
+
 /** The menu at the top right, made from the registries of techniques, views and scenes. */
 export class ViewerMenu {
   readonly statistics = new StatisticsPanel();
@@ -36,17 +43,7 @@ export class ViewerMenu {
   private readonly gui = new GUI({ title: 'Farol' });
   private readonly parameters: GUI;
   /** Values that the controllers are bound to. */
-  private readonly values: {
-    technique: string;
-    view: string;
-    quality: string;
-    budget: string;
-    aa: string;
-    decals: boolean;
-    particles: number;
-    rectangles: number;
-    stopped: boolean;
-  };
+  private readonly values: ReturnType<typeof valuesOf>;
   private readonly effectValues: Record<string, unknown> = {};
   private readonly effectControllers = new Map<string, Controller>();
   /** Scene or model whose parameters are in the menu. */
@@ -61,32 +58,24 @@ export class ViewerMenu {
     onLanguage: (language: Language) => void,
   ) {
     const { gui } = this;
-    const { technique, view, quality, budget, aa, decals, particles, rectangles, time } = viewer.state;
-    const shown = { technique, view, quality, budget, aa, decals, particles, rectangles };
-    this.values = { ...shown, stopped: time !== null };
+    this.values = valuesOf(viewer.state);
+    const addChoice = (
+      name: 'technique' | 'view' | 'quality' | 'budget' | 'aa',
+      label: string,
+      choices: Readonly<Record<string, string>>,
+      choose: (value: string) => void,
+    ): Controller => gui.add(this.values, name, choices).name(label).onChange(choose);
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [t(label), key]));
-    gui
-      .add(this.values, 'technique', names)
-      .name(t('Technique'))
-      .onChange((name: string) => viewer.chooseTechnique(name));
-    gui
-      .add(this.values, 'view', labelled(known.views))
-      .name(t('View'))
-      .onChange((name: string) => viewer.chooseView(name));
-    gui
-      .add(this.values, 'quality', labelled(known.qualities, { auto: 'Automatic' }))
-      .name(t('Quality'))
-      .onChange((name: string) => viewer.setQuality(name));
-    gui
-      .add(this.values, 'budget', labelled(known.budgets, { auto: 'On touch screens', off: 'Off ## budget' }))
-      .name(t('Frame budget'))
-      .onChange((name: string) => viewer.setBudget(name)).domElement.title = t(
+    const methods = Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name]));
+    const qualities = labelled(known.qualities, { auto: 'Automatic' });
+    const budgets = labelled(known.budgets, { auto: 'On touch screens', off: 'Off ## budget' });
+    addChoice('technique', t('Technique'), names, (name) => viewer.chooseTechnique(name));
+    addChoice('view', t('View'), labelled(known.views), (name) => viewer.chooseView(name));
+    addChoice('quality', t('Quality'), qualities, (name) => viewer.setQuality(name));
+    addChoice('budget', t('Frame budget'), budgets, (name) => viewer.setBudget(name)).domElement.title = t(
       'Whether slow frames are drawn smaller and enlarged.',
     );
-    gui
-      .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
-      .name(t('Anti-aliasing'))
-      .onChange((name: string) => viewer.setAntialiasing(name));
+    addChoice('aa', t('Anti-aliasing'), methods, (name) => viewer.setAntialiasing(name));
     for (const [name, field] of Object.entries(known.effects)) {
       this.effectValues[name] = field.default;
       const controller = this.addField(gui, this.effectValues, name, field)!;
@@ -166,15 +155,7 @@ export class ViewerMenu {
   /** Updates the menu from the viewer's state. */
   refresh(): void {
     const { state, modelName } = this.viewer;
-    this.values.technique = state.technique;
-    this.values.view = state.view;
-    this.values.quality = state.quality;
-    this.values.budget = state.budget;
-    this.values.aa = state.aa;
-    this.values.decals = state.decals;
-    this.values.particles = state.particles;
-    this.values.rectangles = state.rectangles;
-    this.values.stopped = state.time !== null;
+    Object.assign(this.values, valuesOf(state));
     this.gui.show(state.gui);
     for (const [name, { default: otherwise }] of Object.entries(known.effects)) {
       this.effectValues[name] = state.effects[name] ?? otherwise;

@@ -1,16 +1,13 @@
 import { boolean, choice, number } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import { fitOpening, isInOpening, type Opening, type OpeningSize } from '../geometry/openings';
 import { solidGrid } from '../geometry/solidGrid';
-import { drawnShape, OwnShape } from './OwnShape';
+import { drawnShape, metres, shapeComponent, size } from './shapeComponent';
 
 const sides = ['front', 'right', 'back', 'left'] as const;
 type Side = (typeof sides)[number];
 
-const metres = { unit: 'm', step: 0.05 };
-const size = { ...metres, min: 0.01 };
 const where = {
   options: ['none', ...sides],
   labels: { none: 'None', front: 'Front', right: 'Right', back: 'Back', left: 'Left' },
@@ -22,7 +19,7 @@ const ofWindow = { group: 'Window', visibleWhen: { field: 'window', equals: side
  * A room of four walls: its floor at y = 0, its inside `width` along x and `depth` along z, with a door and a window.
  * The front is towards +z. The object's ObjectRenderer draws it.
  */
-export class Room extends component({
+export class Room extends shapeComponent({
   width: number(4, { ...size, help: 'Width of the inside.' }),
   depth: number(3, { ...size, help: 'Depth of the inside.' }),
   height: number(2.6, { ...size, help: 'Height of the inside.' }),
@@ -71,28 +68,6 @@ export class Room extends component({
   static override readonly help: string = 'A room with a door and a window: the shape that the Object Renderer draws.';
   static override readonly newObjects: readonly NewObject[] = [{ label: 'Room', group: 'building', with: drawnShape }];
 
-  private readonly shapeMesh = new OwnShape(this, () => this.makeShape());
-
-  get shapeGeometry(): BufferGeometry | null {
-    return this.shapeMesh.geometry;
-  }
-
-  override onAttach(): void {
-    this.shapeMesh.tell('came');
-  }
-
-  override onDetach(): void {
-    this.shapeMesh.tell('gone');
-  }
-
-  override onActiveChanged(): void {
-    this.shapeMesh.tell('switched');
-  }
-
-  override onFieldChanged(): void {
-    this.shapeMesh.tell('fields');
-  }
-
   /** Door and window, fitted to the walls that they are in. */
   private openings(): { side: Side; opening: Opening }[] {
     const found: { side: Side; opening: Opening }[] = [];
@@ -107,7 +82,8 @@ export class Room extends component({
     return found;
   }
 
-  private makeShape(): BufferGeometry {
+  /** @internal */
+  override makeShape(): BufferGeometry {
     const { height, thickness, floor, ceiling } = this;
     const [x, z] = [this.width / 2, this.depth / 2];
     const openings = this.openings();

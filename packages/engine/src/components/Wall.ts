@@ -1,17 +1,14 @@
 import { choice, number } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import { fitOpening, isInOpening } from '../geometry/openings';
 import { solidGrid } from '../geometry/solidGrid';
-import { drawnShape, OwnShape } from './OwnShape';
+import { drawnShape, metres, shapeComponent, size } from './shapeComponent';
 
-const metres = { unit: 'm', step: 0.05 };
-const size = { ...metres, min: 0.01 };
 const hole = { group: 'Opening', visibleWhen: { field: 'opening', equals: ['door', 'window'] } };
 
 /** A straight wall along x, its foot at y = 0, with a door or a window. The object's ObjectRenderer draws it. */
-export class Wall extends component({
+export class Wall extends shapeComponent({
   length: number(4, { ...size, help: 'How long the wall is.' }),
   height: number(2.6, { ...size, help: 'How high the wall is.' }),
   thickness: number(0.15, { ...size, step: 0.01, help: 'How thick the wall is.' }),
@@ -42,29 +39,8 @@ export class Wall extends component({
   static override readonly help: string = 'A wall with a door or a window: the shape that the Object Renderer draws.';
   static override readonly newObjects: readonly NewObject[] = [{ label: 'Wall', group: 'building', with: drawnShape }];
 
-  private readonly shapeMesh = new OwnShape(this, () => this.makeShape());
-
-  get shapeGeometry(): BufferGeometry | null {
-    return this.shapeMesh.geometry;
-  }
-
-  override onAttach(): void {
-    this.shapeMesh.tell('came');
-  }
-
-  override onDetach(): void {
-    this.shapeMesh.tell('gone');
-  }
-
-  override onActiveChanged(): void {
-    this.shapeMesh.tell('switched');
-  }
-
-  override onFieldChanged(): void {
-    this.shapeMesh.tell('fields');
-  }
-
-  private makeShape(): BufferGeometry {
+  /** @internal */
+  override makeShape(): BufferGeometry {
     const { length, height, thickness, opening } = this;
     const sill = opening === 'window' ? this.sill : 0;
     const asked = { width: this.openingWidth, height: this.openingHeight, sill, offset: this.openingOffset };

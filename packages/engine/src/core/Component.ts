@@ -221,13 +221,13 @@ export abstract class Component extends FieldOwner {
 }
 
 /**
- * Base class with a property for each field. Its static members have defaults, but subclasses must set `typeName` and
- * `help`.
+ * Base class with a property for each field, and the members of `C`. Its static members have defaults, but subclasses must
+ * set `typeName` and `help`.
  */
-export type ComponentBase<F extends FieldTable> = Pick<
+export type ComponentBase<F extends FieldTable, C extends Component = Component> = Pick<
   ComponentClass,
   'typeName' | 'version' | 'unique' | 'help' | 'icon' | 'effect' | 'newObjects' | 'callable'
-> & { readonly fields: F } & (abstract new () => Component & ValuesOf<F>);
+> & { readonly fields: F } & (abstract new () => C & ValuesOf<F>);
 
 /** Names of methods that the engine calls if present; forbidden as names of fields, which would be called. */
 const called = /^(?:start|lateUpdate|on[A-Z]\w*)$/;

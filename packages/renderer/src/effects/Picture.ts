@@ -1,33 +1,19 @@
 import {
   AlwaysDepth,
-  ColorManagement,
   CustomBlending,
-  DepthFormat,
-  DepthStencilFormat,
-  DepthTexture,
-  FloatType,
-  HalfFloatType,
   LessEqualDepth,
-  NearestFilter,
   NoBlending,
-  NoColorSpace,
   OneFactor,
   OneMinusSrcAlphaFactor,
-  SRGBTransfer,
   Vector2,
-  Vector4,
-  WebGLRenderTarget,
-  type Color,
-  type ColorSpace,
   type Texture,
+  type WebGLRenderTarget,
 } from 'three';
-import { fitTarget } from '../gpu/fitTarget';
 import type { Frame } from '../frame/Frame';
+import { FrameRedirect, isEncoded } from '../frame/FrameRedirect';
 import { FullscreenPass } from '../gpu/FullscreenPass';
-import { targetBytes } from '../gpu/targetBytes';
 import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from '../frame/displayTransfer.glsl?raw';
-import { isDrawnAsCanvas, setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
 /** Picture of each renderer, keyed by the renderer's cache of twins (materials with Farol's programs). */
 const pictures = new WeakMap<Frame['twins'], Picture>();
@@ -46,12 +32,7 @@ export class Picture {
   encoded = false;
   private users = 0;
   private toDisplay = false;
-  private clears = true;
-  private readonly targets: WebGLRenderTarget[] = [];
-  private hostTarget: WebGLRenderTarget | null = null;
-  private hostFace = 0;
-  private hostLevel = 0;
-  private readonly hostViewport = new Vector4();
+  private readonly redirect = new FrameRedirect('Farol picture', false);
   private readonly present = new FullscreenPass({
     program: 'picture',
     fragment: 'picturePresent',
@@ -76,35 +57,21 @@ export class Picture {
   }
 
   get bytes(): number {
-    let bytes = 0;
-    for (const target of this.targets) bytes += targetBytes(target);
-    return bytes;
+    return this.redirect.bytes;
   }
 
   /** Redirects the frame's draws to this picture. Each effect that calls `begin` calls `end` too. */
   begin(frame: Frame): void {
-    if (frame.target !== null && this.targets.includes(frame.target)) {
+    if (this.redirect.owns(frame.target)) {
       this.users++;
       return;
     }
     this.users = 1; // set to 1, not incremented: an exception in the last frame may have left some
-    const { webgl } = frame;
-    this.hostTarget = frame.target;
-    this.hostFace = frame.face;
-    this.hostLevel = frame.level;
-    this.hostViewport.copy(frame.viewport);
-    this.target = this.targetFor(frame);
-    fitTarget(this.target, frame.width, frame.height);
+    this.target = this.redirect.targetFor(frame);
+    this.redirect.begin(frame, this.target, frame.width, frame.height);
     this.texture = this.target.texture;
-    this.toDisplay = ColorManagement.getTransfer(this.target.texture.colorSpace as ColorSpace) === SRGBTransfer;
+    this.toDisplay = isEncoded(this.target.texture.colorSpace);
     this.encoded = this.toDisplay;
-    frame.target = this.target;
-    frame.face = frame.level = 0;
-    frame.viewport.set(0, 0, frame.width, frame.height);
-    frame.bindTarget();
-    // three clears for a background that is a colour, even without `autoClear`
-    this.clears = webgl.autoClear || (frame.scene.background as Color | null)?.isColor === true;
-    if (!this.clears) frame.clear(1, true);
   }
 
   /**
@@ -112,7 +79,7 @@ export class Picture {
    * pixel has the same coordinates in the picture and in the host's target.
    */
   get isAlone(): boolean {
-    return this.users === 1 && this.hostViewport.x === 0 && this.hostViewport.y === 0;
+    return this.users === 1 && this.redirect.viewport.x === 0 && this.redirect.viewport.y === 0;
   }
 
   /** Whether a single effect uses the picture at this point: its result is the finished picture. */
@@ -127,10 +94,8 @@ export class Picture {
   end(frame: Frame, goesOn = false): void {
     if (--this.users > 0) return;
     const { webgl } = frame;
-    frame.target = this.hostTarget;
-    frame.face = this.hostFace;
-    frame.level = this.hostLevel;
-    frame.viewport.copy(this.hostViewport);
+    const { replaces } = this.redirect;
+    this.redirect.end(frame);
     const { uniforms } = this.present;
     uniforms.farol_picture.value = this.texture;
     uniforms.farol_pictureDepth.value = this.target.depthTexture;
@@ -138,11 +103,11 @@ export class Picture {
     uniforms.farol_encode.value = this.toDisplay && !this.encoded;
     const material = this.present.material(frame);
     // the picture replaces the host's earlier content where it was cleared, else it is blended over that content
-    material.blending = this.clears ? NoBlending : CustomBlending;
-    material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
+    material.blending = replaces ? NoBlending : CustomBlending;
+    material.depthFunc = replaces ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();
     // three has cleared the stencil of the picture's target only; the host's is cleared here
-    if (goesOn && this.clears && webgl.autoClearStencil) webgl.clear(false, false, true);
+    if (goesOn && replaces && webgl.autoClearStencil) webgl.clear(false, false, true);
     const samples = goesOn && frame.wantsSampleDepths;
     material.depthWrite = !samples;
     if (samples) frame.clear(0, true);
@@ -156,52 +121,7 @@ export class Picture {
   }
 
   dispose(): void {
-    for (const target of this.targets) {
-      target.depthTexture?.dispose();
-      target.dispose();
-    }
-    this.targets.length = 0;
+    this.redirect.dispose();
     this.present.dispose();
-  }
-
-  /** Target like the canvas, with three's tone mapping and encoding, or like a host's render target of linear light. */
-  private targetFor(frame: Frame): WebGLRenderTarget {
-    const { webgl, target: host } = frame;
-    const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;
-    const asCanvas = host === null || isDrawnAsCanvas(host);
-    const space = host === null ? webgl.outputColorSpace : asCanvas ? host.texture.colorSpace : NoColorSpace;
-    const colorSpace = space as ColorSpace;
-    const stencil = host === null ? frame.gl.getContextAttributes()!.stencil! : host.stencilBuffer;
-    let target: WebGLRenderTarget | undefined;
-    for (const one of this.targets) {
-      const { texture, stencilBuffer } = one;
-      if (texture.type === type && texture.colorSpace === colorSpace && stencilBuffer === stencil) target = one;
-    }
-    if (target === undefined) {
-      target = new WebGLRenderTarget(1, 1, {
-        type,
-        colorSpace,
-        // effects fetch texels; devices without OES_texture_float_linear read black from a filtered 32-bit float texture
-        minFilter: NearestFilter,
-        magFilter: NearestFilter,
-        stencilBuffer: stencil,
-        depthTexture: new DepthTexture(
-          1,
-          1,
-          FloatType,
-          undefined,
-          undefined,
-          undefined,
-          undefined,
-          undefined,
-          undefined,
-          stencil ? DepthStencilFormat : DepthFormat,
-        ),
-      });
-      target.texture.name = 'Farol picture';
-      if (asCanvas) setDrawnAsCanvas(target, true);
-      this.targets.push(target);
-    }
-    return target;
   }
 }

@@ -7,6 +7,7 @@ import type { LightLists } from '../frame/LightLists';
 import type { FieldDraws } from '../frame/FieldDraws';
 import type { FoundLights } from '../lights/FoundLights';
 import type { Pass } from '../frame/Pass';
+import type { FarolEffect } from '../frame/FarolEffect';
 import type { RecordSettings } from '../lighting/LightRecords';
 import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
@@ -23,6 +24,9 @@ import { type FieldSlices, SLICES } from './FieldSlices';
 const TABLE_WIDTH = RECORDS_PER_ROW * TEXELS_PER_RECORD;
 const CLUSTERS: LightLists = { loop: 'lightLoopSlices', defines: {} };
 const sliceTwins = forwardTwins('lightLoopSlices');
+
+/** Compiles the programs of a pass: a little in each `step`, called at the end of a frame. */
+type Prepare = (frame: Frame, pass: Pass) => { readonly ready: boolean; step(effects: readonly FarolEffect[]): void };
 
 /**
  * The lights of LightFields in the frames of one renderer. The CPU does no work for single lights.
@@ -69,6 +73,10 @@ export class LightFields implements FieldDraws {
     uniforms: this.uniforms,
   });
   isDrawn = false;
+  /** Compiles programs for packed lights; null while there are none to compile. */
+  preparation: ReturnType<Prepare> | null = null;
+  /** Tile lists for which packed lights' programs are linked. */
+  private prepared: TileDepthUse | null = null;
   count = 0;
 
   /** @param slices - uniforms of slices, shared with the renderer's programs */
@@ -142,22 +150,33 @@ export class LightFields implements FieldDraws {
     return CLUSTERS;
   }
 
-  /** Whether enough of the scene's lights are in view for `collectPacked` to pay. */
-  packs(): boolean {
-    return this.packed.pays(this.frame.lights);
-  }
-
-  /** Collects the lights of a frame, with the scene's plain point lights in a field of the renderer's own. */
-  collectPacked(found: FoundLights, masks: RecordSettings): void {
-    const { packed } = this;
+  /**
+   * Collects the lights of a frame, with the scene's plain point lights in a field of the renderer's own, if enough of them are
+   * in view, as soon as the programs for it are linked.
+   * @param use - use of depths by the tile lists
+   * @param prepare - begins to compile the programs of a pass
+   * @returns whether it did
+   */
+  pack(found: FoundLights, masks: RecordSettings, use: TileDepthUse, prepare: Prepare): boolean {
+    const { packed, preparation } = this;
     const { camera, lights } = this.frame;
+    if (!packed.pays(lights)) return false;
+    if (this.prepared !== use) {
+      if (preparation?.ready !== true) {
+        this.preparation = preparation ?? prepare(this.frame, this.passFor(use));
+        return false;
+      }
+      this.prepared = use;
+      this.preparation = null;
+    }
     const field = packed.pack(found, camera);
     lights.collect(packed.rest, camera, masks);
     lights.addPacked(field, Math.round(packed.share * field.count));
+    return true;
   }
 
   /** Pass that compiles, in a warm-up, the programs by which fields are drawn for tile lists. */
-  passFor(use: TileDepthUse): Pass {
+  private passFor(use: TileDepthUse): Pass {
     const warmUp = (frame: Frame) => {
       this.lights.warmUp(frame);
       this.order.compile(frame);

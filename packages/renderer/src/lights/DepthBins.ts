@@ -2,8 +2,11 @@ import { type GridLights, SHAPE } from './GridLights';
 import { NO_LIGHT } from './lightRecord';
 
 export const BINS = 1024;
-/** Buckets of the bucket sort of lights by depth. */
-const KEYS = 4096;
+/** Number of bins in use with few lights, up to FEW: fewer bins to fill, and hardly more lights at a depth. */
+const FEW_BINS = 256;
+const FEW = 128;
+/** Buckets of a bin, of the bucket sort of lights by depth. */
+const KEYS_PER_BIN = 4;
 /** Margin at both ends of each light's range (bins), since GPUs round depths. */
 const MARGIN = 1 / 32;
 /** Smallest range of depths that is divided into bins (units of the last place of a float). */
@@ -39,10 +42,12 @@ export class DepthBins {
   count = 0;
   /** Number of words (of 32 ranks) of deep lights. */
   deepWords = 0;
+  /** Number of bins in use, from the first on; the others have no lights. */
+  private used = BINS;
   private first = new Uint16Array(0);
   private last = new Uint16Array(0);
   private keys = new Uint16Array(0);
-  private readonly starts = new Uint32Array(KEYS + 1);
+  private readonly starts = new Uint32Array(BINS * KEYS_PER_BIN + 1);
   private readonly countsBefore = new Uint32Array(BINS + 1);
   private readonly extents = new Uint32Array(EXTENTS);
   private readonly next = new Uint16Array(BINS + 1);
@@ -61,6 +66,7 @@ export class DepthBins {
       this.bins.fill(0xffff);
       return;
     }
+    this.used = count > FEW ? BINS : FEW_BINS;
     this.setScale(Math.max(lights.nearest, -1e30), Math.min(lights.farthest, 1e30), perspective);
     this.locate(lights);
     this.rank(count, Infinity);
@@ -80,30 +86,31 @@ export class DepthBins {
     this.shift = perspective ? 0 : Math.fround(size - nearest);
     const start = floatBits(nearest + this.shift);
     const range = Math.max(floatBits(farthest + this.shift) - start, LEAST_RANGE);
-    this.scale = Math.fround((BINS - 4) / range);
+    this.scale = Math.fround((this.used - 4) / range);
     this.start = start - Math.ceil(2 / this.scale);
   }
 
   /** Finds the bins and the key of each light. */
   private locate({ shapes, count }: GridLights): void {
-    const { first, last, keys, countsBefore, shift, scale, start } = this;
-    countsBefore.fill(0);
+    const { first, last, keys, countsBefore, shift, scale, start, used } = this;
+    countsBefore.fill(0, 0, used + 1);
     for (let i = 0; i < count; i++) {
       const from = (floatBits(shapes[i * SHAPE + 8] + shift) - start) * scale;
       const to = (floatBits(shapes[i * SHAPE + 9] + shift) - start) * scale;
       first[i] = from - MARGIN;
-      last[i] = Math.min(BINS - 2, to + MARGIN);
-      const key = Math.min(KEYS - 1, (from + to) * 2) | 0;
+      last[i] = Math.min(used - 2, to + MARGIN);
+      const key = Math.min(used * KEYS_PER_BIN - 1, (from + to) * 2) | 0;
       keys[i] = key;
       countsBefore[(key >> 2) + 1]++;
     }
-    for (let bin = 0; bin < BINS; bin++) countsBefore[bin + 1] += countsBefore[bin];
+    for (let bin = 0; bin < used; bin++) countsBefore[bin + 1] += countsBefore[bin];
   }
 
   /** Counting sort: deep lights, of an extent above `limit`, then the other lights by the middle of their depths. */
   private rank(count: number, limit: number): void {
     const { keys, starts, order } = this;
-    starts.fill(0);
+    const buckets = this.used * KEYS_PER_BIN;
+    starts.fill(0, 0, buckets + 1);
     let deep = 0;
     for (let i = 0; i < count; i++) {
       if (limit < count && this.extent(i) > limit) order[deep++] = i;
@@ -114,7 +121,7 @@ export class DepthBins {
     order.fill(NO_LIGHT, deep, padded);
     this.count = count - deep + padded;
     starts[0] = padded;
-    for (let key = 0; key < KEYS; key++) starts[key + 1] += starts[key];
+    for (let key = 0; key < buckets; key++) starts[key + 1] += starts[key];
     for (let i = 0; i < count; i++) {
       if (!(limit < count && this.extent(i) > limit)) order[starts[keys[i]]++] = i;
     }
@@ -150,11 +157,11 @@ export class DepthBins {
 
   /** @returns the mean number of pages that are read for a depth */
   private fillBins(): number {
-    const { bins, order, next, first, last, count } = this;
+    const { bins, order, next, first, last, count, used } = this;
     const start = this.deepWords * 32;
     bins.fill(0xffff);
     // each bin is set once: `next` skips the bins that are set
-    for (let bin = 0; bin <= BINS; bin++) next[bin] = bin;
+    for (let bin = 0; bin <= used; bin++) next[bin] = bin;
     for (let rank = start; rank < count; rank++) {
       const end = last[order[rank]];
       for (let bin = follow(next, first[order[rank]]); bin <= end; bin = follow(next, bin)) {
@@ -162,7 +169,7 @@ export class DepthBins {
         next[bin] = bin + 1;
       }
     }
-    for (let bin = 0; bin <= BINS; bin++) next[bin] = bin;
+    for (let bin = 0; bin <= used; bin++) next[bin] = bin;
     let pages = 0;
     for (let rank = count - 1; rank >= start; rank--) {
       const end = last[order[rank]];
@@ -172,7 +179,7 @@ export class DepthBins {
         next[bin] = bin + 1;
       }
     }
-    return pages / BINS + Math.ceil(start / PAGE);
+    return pages / used + Math.ceil(start / PAGE);
   }
 }
 

@@ -7,8 +7,7 @@ import { lightFieldCode, warmUpCode } from './lazyCode';
 import type { LightFields } from '../light-fields/LightFields';
 import type { FoundLights } from '../lights/FoundLights';
 import type { LightLayers } from '../shadows/LightLayers';
-import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
-import type { WarmUp } from './warm-up/WarmUp';
+import type { Pass } from '../frame/Pass';
 import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
@@ -27,6 +26,8 @@ export interface LightSettings {
 /** Number of lights that are objects from which on the GPU sorts plain point lights, as those of a LightField. */
 const PACKED_FROM = 4096;
 
+const prepare = (frame: Frame, pass: Pass) => new warmUpCode.required.WarmUp(frame, {}, 'tile lists', [pass]);
+
 function rankOf(order: LightOrder): RankLights | null {
   if (order === 'by-volume') return null;
   return order === 'by-grid' ? gridCode.required.rankByGrid : tileCode.required.rankByDepth;
@@ -36,15 +37,17 @@ function rankOf(order: LightOrder): RankLights | null {
 export class FrameLights {
   readonly table = new LightTable();
   private fields: LightFields | null = null;
-  /** Compiles the programs of packed lights; null while they are not needed, and once they are linked. */
-  preparation: WarmUp | null = null;
-  private prepared: TileDepthUse | null = null;
   readonly uniforms = new FrameUniforms(this.table);
   private readonly masks = {
     shadows: 'none' as ShadowedLights,
     layers: null as LightLayers | null,
     areas: null as AreaLightTable | null,
   };
+
+  /** Compiles programs of fields for tile lists, at the ends of frames; null while there are none to compile. */
+  get preparation(): LightFields['preparation'] {
+    return this.fields?.preparation ?? null;
+  }
 
   /** Bytes of the light table, shadow maps and light fields. */
   bytesOf({ fields }: Frame, { shadows }: LightFinder): number {
@@ -70,7 +73,7 @@ export class FrameLights {
     const { shadows } = finder;
     const layers = shadows?.layers ?? null;
     masks.shadows = shadowedLights(webgl);
-    masks.layers = layers;
+    masks.layers = settings.lightLayers ? layers : null;
     masks.areas = finder.areas;
     if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
@@ -80,7 +83,7 @@ export class FrameLights {
     const known = moves || all !== found ? null : points;
     // the first eye draws the shadow maps of all eyes
     const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;
-    const packs = masked === table.masked && known !== null && layers === null && this.pack(finder.found, frame);
+    const packs = masked === table.masked && known !== null && masks.layers === null && this.pack(finder.found, frame);
     if (masked === table.masked && !packs) table.collect(all, frame.camera, masks, known);
     table.tileLists = null;
     layers?.end();
@@ -115,24 +118,11 @@ export class FrameLights {
 
   /** Collects many lights by packing them, as soon as the programs for it are linked. @returns whether it did */
   private pack(found: FoundLights, frame: Frame): boolean {
-    const { preparation } = this;
-    this.preparation = null;
-    const use = this.table.tileLists;
-    const { webgl } = frame;
-    if (use === null || found.all.length < PACKED_FROM || !webgl.extensions.has('EXT_color_buffer_float')) return false;
+    const { tileLists } = this.table;
+    if (tileLists === null || found.all.length < PACKED_FROM) return false;
+    if (!frame.webgl.extensions.has('EXT_color_buffer_float')) return false;
     if (!lightFieldCode.ask(false) || !warmUpCode.ask(false)) return false;
-    const fields = this.makeFields(frame);
-    if (fields === null || !fields.packs()) return false;
-    if (this.prepared !== use) {
-      if (preparation?.ready !== true) {
-        this.preparation =
-          preparation ?? new warmUpCode.required.WarmUp(frame, {}, 'tile lists', [fields.passFor(use)]);
-        return false;
-      }
-      this.prepared = use;
-    }
-    fields.collectPacked(found, this.masks);
-    return true;
+    return this.makeFields(frame)?.pack(found, this.masks, tileLists, prepare) === true;
   }
 
   private beginFields(frame: Frame): LightFields | null {
@@ -155,7 +145,6 @@ export class FrameLights {
     this.fields = frame.fields = null;
     frame.tileShadows = frame.queue.shadowMasks = null;
     this.table.dispose();
-    this.preparation = this.prepared = null;
     this.masks.layers = this.masks.areas = null;
     this.uniforms.freeMasks();
   }

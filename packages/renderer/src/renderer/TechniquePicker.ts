@@ -5,6 +5,7 @@ import type { Frame } from '../frame/Frame';
 import type { Pass } from '../frame/Pass';
 import type { TechniqueChooser } from './warm-up/TechniqueChooser';
 import { learningCode, warmUpCode } from './lazyCode';
+import type { LightFields } from '../light-fields/LightFields';
 import type { LearningFrames } from './learning';
 import type { LightTable } from '../lighting/LightTable';
 import type { Overdraw } from './warm-up/Overdraw';
@@ -48,7 +49,7 @@ export class TechniquePicker {
   /** Trials of 'auto'; null until there is something to learn and their code is loaded. */
   learning: LearningFrames | null = null;
   /** Compiles programs of light lists at the end of a frame; null while there are none to compile. */
-  lists: WarmUp | null = null;
+  lists: LightFields['preparation'] = null;
   private requested: TechniqueName = 'auto';
 
   constructor(

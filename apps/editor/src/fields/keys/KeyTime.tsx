@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { NumberInput } from '../../ui/NumberInput';
 import type { TimedKey } from './keyList';
 import type { KeyEdit } from './useKeyEdit';
@@ -33,16 +33,12 @@ export function KeyTime<K extends TimedKey>({ edit, label, removeLabel, children
         onDiscard={() => edit.end(false)}
       />
       {children}
-      <button
-        type="button"
-        className="button small"
-        aria-label={removeLabel}
-        title={removeLabel}
+      <IconButton
+        icon="remove"
+        label={removeLabel}
         disabled={edit.keys.length < 2}
         onClick={() => edit.remove(edit.selected)}
-      >
-        <Icon name="remove" size={12} />
-      </button>
+      />
     </div>
   );
 }

@@ -1,11 +1,6 @@
 import { type Command, t } from '@farol/editing';
 import type { AssetLibrary, TakenAsset } from '@farol/engine';
 
-const labelOf = (assets: readonly TakenAsset[]): string =>
-  assets.length === 1
-    ? t('Imported {name}', { name: assets[0].name })
-    : t('Imported {count} assets', { count: assets.length });
-
 export class AddAssets implements Command {
   readonly label: string;
   private taken: readonly TakenAsset[];
@@ -15,7 +10,10 @@ export class AddAssets implements Command {
     taken: readonly TakenAsset[],
   ) {
     this.taken = taken;
-    this.label = labelOf(taken);
+    this.label =
+      taken.length === 1
+        ? t('Imported {name}', { name: taken[0].name })
+        : t('Imported {count} assets', { count: taken.length });
   }
 
   get isEmpty(): boolean {

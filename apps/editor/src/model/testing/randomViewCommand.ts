@@ -2,7 +2,7 @@ import type { Command } from '@farol/editing';
 import { Camera } from '@farol/engine';
 import { Quaternion, Vector3 } from 'three';
 import { addCameraAt, alignCamera, poseProblem } from '../cameraEdits';
-import { SetView } from '../commands/SetView';
+import { setView } from '../commands/SetValue';
 import type { EditorDocument } from '../EditorDocument';
 import { below, type Random } from './random';
 
@@ -14,7 +14,7 @@ export function randomViewCommand(random: Random, { scene, selection }: EditorDo
   const orthographic = random() < 0.5;
   if (random() < 0.4) {
     const view = { name: `View ${below(random, 9)}`, position, target, fov: 0.1 + random(), orthographic };
-    return new SetView('Keep view', scene, 1 + below(random, 9), random() < 0.4 ? null : view);
+    return setView('Keep view', scene, 1 + below(random, 9), random() < 0.4 ? null : view);
   }
   const view = {
     position: new Vector3(...position),

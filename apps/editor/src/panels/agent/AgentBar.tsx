@@ -18,7 +18,7 @@ export function AgentBar(): ReactNode {
   return (
     <aside className="agent-bar" aria-label={t('An agent may edit')}>
       <span className="agent-dot" aria-hidden="true" />
-      <span className="agent-names" role="status">
+      <span className="agent-names one-line" role="status">
         {names ? t('{names} may edit', { names }) : t('An agent may edit')}
       </span>
       <span className="agent-calls">

@@ -39,7 +39,7 @@ export const AssetCard = memo(function AssetCard(props: AssetCardProps): ReactNo
       onKeyDown={place}
     >
       <Thumbnail entry={entry} />
-      <span className="asset-name">{entry.label}</span>
+      <span className="asset-name one-line">{entry.label}</span>
     </button>
   );
 });

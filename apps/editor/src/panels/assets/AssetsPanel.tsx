@@ -193,7 +193,7 @@ export function AssetsPanel(): ReactNode {
                   <span className="asset-picture">
                     <Icon name="folder" size={28} />
                   </span>
-                  <span className="asset-name">{splitName(path).leaf}</span>
+                  <span className="asset-name one-line">{splitName(path).leaf}</span>
                 </FolderTarget>
               </li>
             ))}

@@ -67,10 +67,7 @@ export function ConsolePanel(): ReactNode {
           </button>
         ))}
         <SearchInput label={t('Filter messages')} placeholder={t('Filter')} value={query} onSearch={setQuery} />
-        <button type="button" className="button small" onClick={() => log.clear()}>
-          <Icon name="remove" size={13} />
-          {t('Clear')}
-        </button>
+        <Button look="small" icon="remove" label={t('Clear')} onClick={() => log.clear()} />
       </div>
       {shown.length === 0 ? (
         <p className="panel-empty">

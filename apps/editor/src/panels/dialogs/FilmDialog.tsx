@@ -55,6 +55,8 @@ let last: FilmSettings = {
   ...{ shot: 'shown', turns: 1, plays: true, quality: 'good', bitrate: null, isTransparent: false },
 };
 
+const keep = (settings: FilmSettings): FilmSettings => (last = settings);
+
 const even = (value: number): number => Math.max(2, 2 * Math.round(value / 2));
 
 /** Viewpoints that the scene offers for a film. */
@@ -89,7 +91,12 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const { size: shown } = editor.viewport;
   const [settings, show] = useState(last);
-  const set = (change: Partial<FilmSettings>): void => show((last = { ...last, ...change }));
+  const set = (change: Partial<FilmSettings>): void => show(keep({ ...last, ...change }));
+  /** Value and setter of a setting, for its row. */
+  const bind = <Key extends keyof FilmSettings>(key: Key) => ({
+    value: settings[key],
+    onChange: (next: FilmSettings[Key]) => set({ [key]: next }),
+  });
   const { format, size, rate, ownRate, from, to, turns, plays, quality, isTransparent } = settings;
   const shots = shotOptions(editor);
   const shot = shots.some(({ value }) => value === settings.shot) ? settings.shot : 'shown';
@@ -132,54 +139,21 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
       </Dialog.Description>
       <PixelSize
         offered={{ [t('As shown')]: [even(shown.width), even(shown.height)], ...sizes }}
-        value={size}
         max={LARGEST}
-        onChange={(next) => set({ size: next })}
+        {...bind('size')}
       />
       <div className="film-fields">
         <ChoiceRow
-          className="dialog-row"
           label={t('Camera')}
           value={shot}
           options={shots}
           onChange={(next) => set({ shot: next, plays: next !== 'turntable' && next !== 'path' })}
         />
-        <SwitchRow
-          className="dialog-row"
-          label={t('The scene plays')}
-          value={plays}
-          onChange={(next) => set({ plays: next })}
-        />
-        {shot === 'turntable' && (
-          <NumberRow
-            label={t('Turns')}
-            value={turns}
-            min={-100}
-            max={100}
-            step={1}
-            onChange={(next) => set({ turns: next })}
-          />
-        )}
-        <NumberRow
-          label={t('From')}
-          value={from}
-          min={0}
-          max={LATEST}
-          step={1}
-          unit="s"
-          onChange={(next) => set({ from: next })}
-        />
-        <NumberRow
-          label={t('To')}
-          value={to}
-          min={0}
-          max={LATEST}
-          step={1}
-          unit="s"
-          onChange={(next) => set({ to: next })}
-        />
+        <SwitchRow label={t('The scene plays')} {...bind('plays')} />
+        {shot === 'turntable' && <NumberRow label={t('Turns')} min={-100} max={100} step={1} {...bind('turns')} />}
+        <NumberRow label={t('From')} min={0} max={LATEST} step={1} unit="s" {...bind('from')} />
+        <NumberRow label={t('To')} min={0} max={LATEST} step={1} unit="s" {...bind('to')} />
         <ChoiceRow
-          className="dialog-row"
           label={t('Frames a second')}
           value={ownRate ? 'own' : String(rate)}
           options={choices({
@@ -189,18 +163,9 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           onChange={(next) => set(next === 'own' ? { ownRate: true } : { ownRate: false, rate: Number(next) })}
         />
         {ownRate && (
-          <NumberRow
-            label={t('Other rate')}
-            value={rate}
-            min={SLOWEST}
-            max={FASTEST}
-            step={1}
-            unit="1/s"
-            onChange={(next) => set({ rate: next })}
-          />
+          <NumberRow label={t('Other rate')} min={SLOWEST} max={FASTEST} step={1} unit="1/s" {...bind('rate')} />
         )}
         <ChoiceRow
-          className="dialog-row"
           label={t('Format')}
           value={format ?? ''}
           options={choices(
@@ -214,16 +179,10 @@ export function FilmDialog({ onClose }: { onClose(): void }): ReactNode {
           onChange={(next) => set({ format: next as FilmFormatName })}
         />
         {codec === null ? (
-          <SwitchRow
-            className="dialog-row"
-            label={t('Without background')}
-            value={isTransparent}
-            onChange={(next) => set({ isTransparent: next })}
-          />
+          <SwitchRow label={t('Without background')} {...bind('isTransparent')} />
         ) : (
           <>
             <ChoiceRow
-              className="dialog-row"
               label={t('Quality')}
               value={quality}
               options={choices({ small: t('Small file'), good: t('Good'), high: t('High') })}

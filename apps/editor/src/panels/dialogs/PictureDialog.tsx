@@ -44,12 +44,7 @@ export function PictureDialog({ onClose }: { onClose(): void }): ReactNode {
         {t('The scene as it is seen now, without grid, icons and handles, as a PNG.')}
       </Dialog.Description>
       <PixelSize offered={offered} value={size} max={max} onChange={setSize} />
-      <SwitchRow
-        className="dialog-row"
-        label={t('Without background')}
-        value={isTransparent}
-        onChange={setTransparent}
-      />
+      <SwitchRow label={t('Without background')} value={isTransparent} onChange={setTransparent} />
       {isWhole && (
         <p className="export-note">
           {t('With bloom, depth of field, vignette or automatic exposure at most {count} pixels a side.', {

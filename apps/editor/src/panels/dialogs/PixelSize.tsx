@@ -14,7 +14,7 @@ type NumberRowProps = Pick<NumberInputProps, 'label' | 'min' | 'max' | 'step' | 
 export function NumberRow({ label, value, onChange, ...rest }: NumberRowProps): ReactNode {
   const [draft, setDraft] = useState<number | null>(null);
   return (
-    <div className="dialog-row">
+    <div className="setting-row">
       <span aria-hidden="true">{label}</span>
       <NumberInput
         {...rest}

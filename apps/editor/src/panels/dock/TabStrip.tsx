@@ -5,6 +5,7 @@ import type { DropSide, PanelGroup } from '../../layout/LayoutNode';
 import type { PlacedGroup } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { LateItems } from '../../ui/MenuButton';
 import { dropTowards } from './dropTowards';
 import { tabEntries } from './tabEntries';
@@ -105,16 +106,13 @@ export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
           );
         })}
       </div>
-      <button
-        type="button"
+      <IconButton
+        icon="maximise"
         className="button small tab-maximise"
-        aria-label={maximiseLabel}
-        title={maximiseLabel}
+        label={maximiseLabel}
         aria-pressed={maximised !== null}
         onClick={() => layout.maximise(maximised === null ? active : null)}
-      >
-        <Icon name="maximise" size={12} />
-      </button>
+      />
     </div>
   );
 }

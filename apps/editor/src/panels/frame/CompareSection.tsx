@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import type { TechniqueName } from '@farol/renderer';
 import { type ReactNode, useCallback } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { FigureList } from '../../ui/FigureList';
 import { NumberInput } from '../../ui/NumberInput';
 import { SelectBox } from '../../ui/SelectBox';
 import { techniqueOptions } from '../../ui/techniqueOptions';
@@ -35,6 +36,8 @@ export function CompareSection(): ReactNode {
     </Section>
   );
 }
+
+const psnrText = (psnr: number): string => (Number.isFinite(psnr) ? `${psnr.toFixed(1)} dB` : t('the same'));
 
 function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
   const editor = useEditor();
@@ -84,41 +87,23 @@ function WipeSettings({ wipe }: { wipe: WipePainter }): ReactNode {
             label={t('Difference made larger by')}
             handle={<span className="grip" />}
             onPreview={(gain) => (wipe.gain = gain)}
-            onCommit={() => {}}
-            onDiscard={() => {}}
           />
         </div>
       )}
-      <dl className="frame-figures" aria-label={t('Difference of the two')}>
-        <div>
-          <dt>PSNR</dt>
-          <dd>
-            {figures === null
-              ? t('measuring')
-              : Number.isFinite(figures.psnr)
-                ? `${figures.psnr.toFixed(1)} dB`
-                : t('the same')}
-          </dd>
-        </div>
-        <div>
-          <dt>{t('Largest')}</dt>
-          <dd>{figures === null ? '–' : t('{difference} of 255', { difference: figures.largest.toFixed(1) })}</dd>
-        </div>
-        <div>
-          <dt>{t('Off by more than 2')}</dt>
-          <dd>
-            {figures === null ? '–' : t('{percent}% of the pixels', { percent: (figures.differing * 100).toFixed(2) })}
-          </dd>
-        </div>
-        <div>
-          <dt>{t(viewport.farol.techniques[viewport.technique].label)}</dt>
-          <dd>{times[0]}</dd>
-        </div>
-        <div>
-          <dt>{t(viewport.farol.techniques[wipe.technique].label)}</dt>
-          <dd>{times[1]}</dd>
-        </div>
-      </dl>
+      <FigureList
+        className="frame-figures"
+        label={t('Difference of the two')}
+        figures={[
+          ['PSNR', figures === null ? t('measuring') : psnrText(figures.psnr)],
+          [t('Largest'), figures === null ? '–' : t('{difference} of 255', { difference: figures.largest.toFixed(1) })],
+          [
+            t('Off by more than 2'),
+            figures === null ? '–' : t('{percent}% of the pixels', { percent: (figures.differing * 100).toFixed(2) }),
+          ],
+          [t(viewport.farol.techniques[viewport.technique].label), times[0]],
+          [t(viewport.farol.techniques[wipe.technique].label), times[1]],
+        ]}
+      />
     </>
   );
 }

@@ -1,5 +1,6 @@
 import { formatCount, t } from '@farol/editing';
 import { type ReactNode, useCallback } from 'react';
+import { FigureList } from '../../ui/FigureList';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { SelectBox } from '../../ui/SelectBox';
 import { techniqueOptions } from '../../ui/techniqueOptions';
@@ -89,17 +90,7 @@ function Figures(): ReactNode {
           {reason}
         </p>
       )}
-      <dl className="frame-figures">
-        {figures.map((line) => {
-          const [name, value] = line.split('\t');
-          return (
-            <div key={name}>
-              <dt>{name}</dt>
-              <dd>{value}</dd>
-            </div>
-          );
-        })}
-      </dl>
+      <FigureList className="frame-figures" figures={figures.map((line) => line.split('\t') as [string, string])} />
     </>
   );
 }

@@ -35,8 +35,6 @@ export function ViewsSection(): ReactNode {
           description={t('Lights, or draws, a pixel at which light count and overdraw are red.')}
           handle={<span className="grip" />}
           onPreview={setMaximum}
-          onCommit={() => {}}
-          onDiscard={() => {}}
         />
       </div>
     </Section>

@@ -97,7 +97,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
           }}
         />
       ) : (
-        <span className="row-name">{object.name}</span>
+        <span className="row-name one-line">{object.name}</span>
       )}
       <RowSwitch
         name={object.name}

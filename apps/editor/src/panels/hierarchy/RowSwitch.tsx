@@ -1,5 +1,5 @@
 import type { ReactNode } from 'react';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import type { IconName } from '../../style/iconPaths';
 
 interface RowSwitchProps {
@@ -17,11 +17,12 @@ interface RowSwitchProps {
 export function RowSwitch({ name, isOn, isInherited, words, icons, onChange }: RowSwitchProps): ReactNode {
   const word = words[isOn ? 1 : 0];
   return (
-    <button
-      type="button"
+    <IconButton
+      icon={icons[isInherited ? 1 : 0]}
+      size={14}
       className="row-switch"
       tabIndex={-1}
-      aria-label={`${word} ${name}`}
+      label={`${word} ${name}`}
       title={`${word} (${words[2]})`}
       aria-pressed={isOn}
       data-inherited={isInherited}
@@ -30,8 +31,6 @@ export function RowSwitch({ name, isOn, isInherited, words, icons, onChange }: R
         event.stopPropagation();
         onChange(!isOn);
       }}
-    >
-      <Icon name={icons[isInherited ? 1 : 0]} size={14} />
-    </button>
+    />
   );
 }

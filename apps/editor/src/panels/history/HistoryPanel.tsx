@@ -26,7 +26,7 @@ export function HistoryPanel(): ReactNode {
           <li key={steps}>
             <button
               type="button"
-              className="history-step"
+              className="history-step one-line"
               aria-current={steps === history.length ? 'step' : undefined}
               data-undone={steps > history.length}
               onClick={() => goTo(steps)}

@@ -4,7 +4,7 @@ import { type ReactNode, useState } from 'react';
 import { setEnabled } from '../../model/edits';
 import { scriptOfType } from '../../model/scriptNames';
 import { useEditor } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { lateComponent } from '../../ui/lateComponent';
 import { MenuButton } from '../../ui/MenuButton';
 import type { MenuEntry } from '../../api/MenuEntry';
@@ -51,15 +51,12 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       controls={
         <>
           {script !== null && (
-            <button
-              type="button"
-              className="button small"
-              aria-label={t('Edit script {name}', { name: script })}
-              title={t('Edit script {name}', { name: script })}
+            <IconButton
+              icon="code"
+              size={13}
+              label={t('Edit script {name}', { name: script })}
               onClick={() => editor.openScript(script)}
-            >
-              <Icon name="code" size={13} />
-            </button>
+            />
           )}
           {!isTransform && (
             <Toggle

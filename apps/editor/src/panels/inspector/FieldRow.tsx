@@ -8,7 +8,7 @@ import { ownersName } from '../../model/ownersName';
 import { OverrideMark } from '../prefab/OverrideMark';
 import { useEditor } from '../../ui/EditorContext';
 import { useIsFound } from '../../ui/FieldFilter';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 
 interface FieldRowProps {
   /** Edited components or settings of one type; memoised. */
@@ -49,6 +49,10 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
     },
     [places, name],
   );
+  const reset = (): void => {
+    const step = t('Reset {field} of {name}', { field: label.toLowerCase(), name: ownersName(owners) });
+    editor.commands.run(resetFields(step, owners, [name]));
+  };
   const isFound = useIsFound(label, name);
   if (!isFound) return null;
   return (
@@ -56,26 +60,15 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
       <span className="field-label" title={description}>
         <span className="field-name">{label}</span>
         {!isDefault && !field.readOnly && (
-          <button
-            type="button"
+          <IconButton
+            icon="undo"
+            size={11}
             className="field-reset"
-            aria-label={t('Reset to default')}
+            label={t('Reset to default')}
             aria-description={label}
             title={t('Reset {label} to its default', { label })}
-            onClick={() =>
-              editor.attempt(() =>
-                editor.commands.run(
-                  resetFields(
-                    t('Reset {field} of {name}', { field: label.toLowerCase(), name: ownersName(owners) }),
-                    owners,
-                    [name],
-                  ),
-                ),
-              )
-            }
-          >
-            <Icon name="undo" size={11} />
-          </button>
+            onClick={() => editor.attempt(reset)}
+          />
         )}
         <OverrideMark owners={owners} name={name} label={label} />
       </span>

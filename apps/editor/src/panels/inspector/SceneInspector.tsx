@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
-import { Camera } from '@farol/engine';
+import { Camera, type Scene } from '@farol/engine';
 import { SetProperty } from '../../model/commands/SetProperty';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -15,6 +15,8 @@ export function SceneInspector(): ReactNode {
   const { document, commands } = useEditor();
   useSignal(document.structure);
   const { scene } = document;
+  const set = <K extends 'name' | 'activeCamera'>(label: string, property: K, value: Scene[K]): void =>
+    commands.run(new SetProperty<K, Scene[K]>(label, [scene], property, value));
   const cameras = scene.componentsOf(Camera).map((camera) => ({ value: camera.id, label: camera.gameObject.name }));
   return (
     <>
@@ -23,12 +25,10 @@ export function SceneInspector(): ReactNode {
         <TextInput
           value={scene.name}
           label={t('Name of the scene')}
-          onCommit={(name) =>
-            name.trim() &&
-            commands.run(
-              new SetProperty(t('Renamed the scene to {name}', { name: name.trim() }), [scene], 'name', name.trim()),
-            )
-          }
+          onCommit={(typed) => {
+            const name = typed.trim();
+            if (name) set(t('Renamed the scene to {name}', { name }), 'name', name);
+          }}
         />
       </div>
       <p className="scene-note">{t('Nothing is selected: these are the settings of the whole scene.')}</p>
@@ -43,14 +43,8 @@ export function SceneInspector(): ReactNode {
                 label={t('Active camera')}
                 onChange={(id) => {
                   const camera = scene.componentsOf(Camera).find((each) => each.id === id) ?? null;
-                  commands.run(
-                    new SetProperty(
-                      t('Set the camera of the scene to {name}', { name: camera?.gameObject.name ?? t('none') }),
-                      [scene],
-                      'activeCamera',
-                      camera,
-                    ),
-                  );
+                  const name = camera?.gameObject.name ?? t('none');
+                  set(t('Set the camera of the scene to {name}', { name }), 'activeCamera', camera);
                 }}
               />
             </div>

@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import type { Component, EventTrigger } from '@farol/engine';
 import type { ReactNode } from 'react';
 import { triggerProblems } from '../../model/triggerProblems';
+import { Button } from '../../ui/Button';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 
 /** Warnings about triggers that can never fire, each with a button that solves the problem. */
@@ -15,13 +16,11 @@ export function TriggerProblems({ components }: { components: readonly Component
     <p key={text} className="technique-limit" role="note" aria-label={t('Problem')}>
       {text}{' '}
       {mend && (
-        <button
-          type="button"
-          className="button small framed"
+        <Button
+          look="small framed"
+          label={mend.label}
           onClick={() => editor.attempt(() => commands.run(mend.make()))}
-        >
-          {mend.label}
-        </button>
+        />
       )}
     </p>
   ));

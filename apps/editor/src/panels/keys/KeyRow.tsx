@@ -5,6 +5,7 @@ import { combinationOf } from '../../actions/combinationOf';
 import { useEditor } from '../../ui/EditorContext';
 import { useKeyBindings } from '../../ui/useKeyBindings';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { keyText } from '../../ui/keyText';
 import { Button } from '../../ui/Button';
 
@@ -16,6 +17,7 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
   const [asked, setAsked] = useState<string | null>(null);
   const bindings = useKeyBindings();
   const keys = bindings.keysOf(action);
+  const without = (key: string): string[] => keys.filter((other) => other !== key);
   const clashes = keys.flatMap((each) => bindings.conflictsOf(action, each).map((other) => [each, other] as const));
   const others = asked === null ? [] : bindings.conflictsOf(action, asked).map((other) => labelOf(other, editor));
 
@@ -42,12 +44,7 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
               type="button"
               aria-label={t('Take {keys} from {label}', { keys: each, label })}
               title={t('Take this key away')}
-              onClick={() =>
-                bindings.bind(
-                  action,
-                  keys.filter((other) => other !== each),
-                )
-              }
+              onClick={() => bindings.bind(action, without(each))}
             >
               <Icon name="close" size={9} />
             </button>
@@ -68,15 +65,14 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
           {isListening ? t('Press keys…') : <Icon name="add" size={11} />}
         </button>
         {bindings.isRebound(action) && (
-          <button
-            type="button"
+          <IconButton
+            icon="undo"
+            size={11}
             className="key-add"
-            aria-label={t('Own keys of {label}', { label })}
+            label={t('Own keys of {label}', { label })}
             title={t('Back to its own keys')}
             onClick={() => bindings.bind(action, null)}
-          >
-            <Icon name="undo" size={11} />
-          </button>
+          />
         )}
       </span>
       {asked !== null && (

@@ -15,6 +15,7 @@ import { placeLibraryItem } from '../../files/library/placeLibraryItem';
 import { Button } from '../../ui/Button';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { SearchInput } from '../../ui/SearchInput';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { watchFinger } from './watchFinger';
@@ -75,18 +76,15 @@ function LibraryCard({ item }: { readonly item: LibraryItem }): ReactNode {
             <img src={item.picture} alt="" draggable={false} />
           )}
         </span>
-        <span className="asset-name">{item.label}</span>
+        <span className="asset-name one-line">{item.label}</span>
       </button>
       {item.group === 'own' && (
-        <button
-          type="button"
+        <IconButton
+          icon="remove"
           className="button small library-remove"
-          aria-label={t('Remove {name} from the library', { name: item.label })}
-          title={t('Remove {name} from the library', { name: item.label })}
+          label={t('Remove {name} from the library', { name: item.label })}
           onClick={() => editor.attempt(() => removeFromLibrary(item.id))}
-        >
-          <Icon name="remove" size={12} />
-        </button>
+        />
       )}
     </>
   );

@@ -61,7 +61,7 @@ export function GroupCells({ row, ...desk }: RowProps & { readonly row: LightRow
       <span role="gridcell" className="lights-name">
         <Fold table={table} id={row.id} name={name} />
         <Icon name="sliders" size={14} />
-        <span className="row-name">{name}</span>
+        <span className="row-name one-line">{name}</span>
       </span>
       <Count count={row.count} />
       <ColourCell

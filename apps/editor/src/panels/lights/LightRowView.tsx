@@ -142,7 +142,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
       />
       <span role="gridcell" className="lights-name">
         <Icon name={kindOf(source) as 'point'} size={14} />
-        <span className="row-name">{name}</span>
+        <span className="row-name one-line">{name}</span>
       </span>
       <span role="gridcell" title={kindLabel(kindOf(source))}>
         {source instanceof Light

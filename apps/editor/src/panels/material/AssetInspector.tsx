@@ -5,6 +5,7 @@ import { renameAnyAsset } from '../../model/scriptEdits';
 import { assetEntry } from '../../files/assetKinds';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { LatePolarCurve, LateSoundButton } from '../../ui/lateAssetParts';
 import { TextInput } from '../../ui/TextInput';
 import { assetIcons, Thumbnail } from '../../ui/Thumbnail';
@@ -45,15 +46,12 @@ export function AssetInspector({ name }: { name: string }): ReactNode {
         ) : (
           <span className="object-count">{entry.label}</span>
         )}
-        <button
-          type="button"
-          className="button small"
-          aria-label={t('Close the asset')}
+        <IconButton
+          icon="close"
+          label={t('Close the asset')}
           title={t('Show what is selected in the scene')}
           onClick={() => document.assetSelection.clear()}
-        >
-          <Icon name="close" size={12} />
-        </button>
+        />
       </div>
       {isScript && <ScriptAssetBar name={name} />}
       {isSurface && <SurfaceAssetBar name={name} />}

@@ -66,7 +66,7 @@ export function ChunkList({ names, surfaces, current, uses, onChoose }: ChunkLis
               data-used={isInUse}
               onClick={() => onChoose(name)}
             >
-              <span className="chunk-name">{surface ?? name}</span>
+              <span className="chunk-name one-line">{surface ?? name}</span>
               {surface !== null && <span className="chunk-tag">{t('surface')}</span>}
               {isOwn && <span className="chunk-tag">{t('scene')}</span>}
               {surface === null && !isOwn && microShaders.isChanged(name) && (

@@ -96,7 +96,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
             <span className="menu-check">
               {(item.isCurrent || item.icon) && <Icon name={item.isCurrent ? 'check' : item.icon!} size={14} />}
             </span>
-            <span className="palette-label">{item.label}</span>
+            <span className="palette-label one-line">{item.label}</span>
             <span className="dim">{item.group}</span>
             {item.keys && <kbd>{keyText(item.keys)}</kbd>}
           </li>

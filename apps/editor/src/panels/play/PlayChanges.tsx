@@ -3,7 +3,7 @@ import { type FieldValue, isTriple, sameValue } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { nameOf, type PlayChange } from '../../model/PlayEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { keysText } from '../../ui/keysText';
 import './play.css';
 import { Button } from '../../ui/Button';
@@ -31,15 +31,7 @@ export function PlayChanges(): ReactNode {
     <section className="play-changes" aria-label={t('Edited while playing')}>
       <header>
         <h2>{t('Edited while playing')}</h2>
-        <button
-          type="button"
-          className="button small"
-          aria-label={t('Discard the edits')}
-          title={t('Discard the edits')}
-          onClick={() => playEdits.dismiss()}
-        >
-          <Icon name="close" size={12} />
-        </button>
+        <IconButton icon="close" label={t('Discard the edits')} onClick={() => playEdits.dismiss()} />
       </header>
       <ul>
         {changes.map((change) => (
@@ -74,7 +66,7 @@ function ChangeLine({ change }: { change: PlayChange }): ReactNode {
   const now = owner.getAuthored(name);
   return (
     <li>
-      <span className="play-name">{nameOf(change)}</span>
+      <span className="play-name one-line">{nameOf(change)}</span>
       <span className="play-values">
         {valueText(now, kind)} → <strong>{valueText(to, kind)}</strong>
       </span>

@@ -27,7 +27,7 @@ export function PrefabBar({ object }: { object: GameObject }): ReactNode {
   return (
     <div className="prefab-bar" role="group" aria-label={t('Prefab')}>
       <Icon name="prefab" />
-      <span className="prefab-name" title={list.join('\n')}>
+      <span className="prefab-name one-line" title={list.join('\n')}>
         {splitName(prefab.name).leaf}
         <span className="prefab-count">
           {none ? t('as the prefab') : tCount(list.length, '{count} override', '{count} overrides')}

@@ -95,7 +95,7 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
               {name === renamed ? (
                 <NameInput name={leaf} onDone={(typed) => finishRename(name, typed)} />
               ) : (
-                <span className="chunk-name">
+                <span className="chunk-name one-line">
                   {folder !== '' && <span className="script-folder">{folder}/</span>}
                   {leaf}
                 </span>

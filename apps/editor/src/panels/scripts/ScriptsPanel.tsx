@@ -4,10 +4,10 @@ import { t } from '@farol/editing';
 import { type ReactNode, useEffect, useMemo, useState, useSyncExternalStore } from 'react';
 import { isJavaScript } from '../../model/scriptNames';
 import { typescriptSupport } from '../../scripts/language/typescriptSupport';
+import { Button } from '../../ui/Button';
 import { CodeEditor } from '../../ui/code/CodeEditor';
 import '../../ui/code/code.css';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
 import { newScript } from '../../files/newScript';
 import { ScriptBar } from './ScriptBar';
 import { ScriptList } from './ScriptList';
@@ -60,10 +60,12 @@ export function ScriptsPanel(): ReactNode {
       {name === null ? (
         <div className="script-none">
           <p>{t('A script is a component of your own: a class with fields and what it does each frame.')}</p>
-          <button type="button" className="button primary" onClick={() => editor.attempt(() => newScript(editor))}>
-            <Icon name="add" size={13} />
-            {t('New script')}
-          </button>
+          <Button
+            look="primary"
+            icon="add"
+            label={t('New script')}
+            onClick={() => editor.attempt(() => newScript(editor))}
+          />
         </div>
       ) : (
         <div className="chunk">

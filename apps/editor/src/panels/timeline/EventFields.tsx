@@ -68,7 +68,6 @@ function EventTime({
           next = shown / rate;
         }}
         onCommit={() => next !== time && onChange(next)}
-        onDiscard={() => {}}
       />
     </div>
   );

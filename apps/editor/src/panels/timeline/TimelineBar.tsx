@@ -3,9 +3,8 @@ import type { ReactNode } from 'react';
 import { clipName } from '../../model/timeline/clipEdits';
 import { addKeys } from '../../model/timeline/timelineEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
+import { IconButton, type IconButtonProps } from '../../ui/IconButton';
 import { MenuButton } from '../../ui/MenuButton';
-import type { IconName } from '../../style/iconPaths';
 import { clipEntries } from './clipEntries';
 import { easingEntries } from './easingEntries';
 import { nextKeyTime } from './keyMarks';
@@ -13,31 +12,10 @@ import { SelectedFields } from './SelectedFields';
 import type { TimelineView } from './TimelineView';
 import { tracksForKeys } from './tracksForKeys';
 
-interface ToolProps {
-  readonly label: string;
-  readonly icon: IconName;
-  readonly keys?: string;
-  readonly className?: string;
-  readonly pressed?: boolean;
-  readonly disabled?: boolean;
-  onClick(): void;
-}
-
-function Tool({ label, icon, keys, className = '', pressed, disabled, onClick }: ToolProps): ReactNode {
-  return (
-    <button
-      type="button"
-      className={`button ${className}`}
-      aria-label={label}
-      title={keys ? `${label} (${keys})` : label}
-      aria-pressed={pressed}
-      disabled={disabled}
-      onClick={onClick}
-    >
-      <Icon name={icon} />
-    </button>
-  );
-}
+/** A tool of the bar: an icon, and its key in the tooltip. */
+const Tool = ({ keys, ...props }: IconButtonProps & { readonly keys?: string }): ReactNode => (
+  <IconButton size={16} className="button" title={keys ? `${props.label} (${keys})` : props.label} {...props} />
+);
 
 /** Toolbar of the timeline: recording, playback, the clip, and fields of the selected keys. */
 export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
@@ -67,8 +45,8 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
         label={t('Record')}
         icon="record"
         keys="Shift+K"
-        className="record"
-        pressed={isRecording}
+        className="button record"
+        aria-pressed={isRecording}
         disabled={!canRecord}
         onClick={() => timeline.setRecording(!isRecording)}
       />
@@ -78,13 +56,12 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
         label={t('Previous key')}
         icon="previousKey"
         keys="Ctrl+←"
-
         onClick={() => goTo(nextKeyTime(data, timeline.time, -1))}
       />
       <Tool
         label={isPlaying ? t('Pause the clip') : t('Play the clip')}
         icon={isPlaying ? 'pause' : 'play'}
-        pressed={isPlaying}
+        aria-pressed={isPlaying}
         disabled={!canRecord}
         onClick={() => (isPlaying ? timeline.pause() : timeline.play())}
       />
@@ -92,7 +69,6 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
         label={t('Next key')}
         icon="nextKey"
         keys="Ctrl+→"
-
         onClick={() => goTo(nextKeyTime(data, timeline.time, 1))}
       />
       <Tool label={t('To the end')} icon="last" keys="End" onClick={() => goTo(timeline.duration)} />
@@ -108,15 +84,13 @@ export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
         <Tool
           label={t('Dope sheet')}
           icon="timeline"
-          pressed={view.mode === 'keys'}
-
+          aria-pressed={view.mode === 'keys'}
           onClick={() => view.set('mode', 'keys')}
         />
         <Tool
           label={t('Curves')}
           icon="curve"
-          pressed={view.mode === 'curves'}
-
+          aria-pressed={view.mode === 'curves'}
           onClick={() => view.set('mode', 'curves')}
         />
       </div>

@@ -44,8 +44,6 @@ export function TimelineCorner({ view }: { view: TimelineView }): ReactNode {
           digits="short"
           label={isFrames ? t('Frame') : t('Time in seconds')}
           onPreview={(shown) => timeline.setTime(shown / rate)}
-          onCommit={() => {}}
-          onDiscard={() => {}}
         />
         <span aria-hidden="true">/</span>
         <NumberInput
@@ -58,7 +56,6 @@ export function TimelineCorner({ view }: { view: TimelineView }): ReactNode {
             duration = shown / rate;
           }}
           onCommit={() => clip && duration !== timeline.duration && editor.commands.run(setDuration(clip, duration))}
-          onDiscard={() => {}}
         />
         <Button
           look="small"
@@ -72,7 +69,7 @@ export function TimelineCorner({ view }: { view: TimelineView }): ReactNode {
         {root ? (
           <SearchMenu label={t('Add track')} icon="add" className="button small" items={fields} onChoose={add} />
         ) : (
-          <span className="timeline-note">{t('No object plays this clip.')}</span>
+          <span className="timeline-note one-line">{t('No object plays this clip.')}</span>
         )}
       </div>
     </div>

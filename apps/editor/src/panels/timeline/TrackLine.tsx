@@ -5,6 +5,7 @@ import { valueAt } from '../../model/timeline/clipTracks';
 import { addEventAt, addKeys, hasKeyAt } from '../../model/timeline/timelineEdits';
 import { useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { LostTracks } from './LostTracks';
 import type { TimelineRow, TrackRow } from './timelineRows';
 import type { TimelineView } from './TimelineView';
@@ -44,7 +45,7 @@ function CurrentValue({
   useSignal(timeline.moved);
   const { keys } = row.track;
   if (keys.length === 0) return null;
-  return <span className="track-value">{valueText(valueAt(keys, timeline.time), row.field, channel)}</span>;
+  return <span className="track-value one-line">{valueText(valueAt(keys, timeline.time), row.field, channel)}</span>;
 }
 
 function KeyButton({ view, row }: { view: TimelineView; row: TrackRow }): ReactNode {
@@ -53,17 +54,14 @@ function KeyButton({ view, row }: { view: TimelineView; row: TrackRow }): ReactN
   const isThere = hasKeyAt(row.track, timeline.time);
   const label = t('Add a key to {field}', { field: row.label });
   return (
-    <button
-      type="button"
+    <IconButton
+      icon="key"
       className="track-key"
       data-on={isThere}
       tabIndex={-1}
-      aria-label={label}
-      title={label}
+      label={label}
       onClick={() => addKeys(timeline, [row.track])}
-    >
-      <Icon name="key" size={12} />
-    </button>
+    />
   );
 }
 
@@ -106,8 +104,8 @@ export function TrackLine(props: TrackLineProps): ReactNode {
           </button>
         )}
         {row.kind === 'channel' && <span className={`axis axis-${'xyz'[row.channel]}`}>{row.label}</span>}
-        <span className="track-label">{row.kind === 'channel' ? '' : row.label}</span>
-        {problem && <span className="track-problem">{problem}</span>}
+        <span className="track-label one-line">{row.kind === 'channel' ? '' : row.label}</span>
+        {problem && <span className="track-problem one-line">{problem}</span>}
       </span>
       <span className="track-tools" role="gridcell">
         {track && !problem && (
@@ -116,28 +114,22 @@ export function TrackLine(props: TrackLineProps): ReactNode {
         {row.kind === 'group' && row.isLost && <LostTracks view={view} row={row} />}
         {row.kind === 'track' && !problem && <KeyButton view={view} row={row} />}
         {row.kind === 'events' && (
-          <button
-            type="button"
+          <IconButton
+            icon="add"
             className="track-key"
             tabIndex={-1}
-            aria-label={t('Add an event')}
-            title={t('Add an event')}
+            label={t('Add an event')}
             onClick={() => addEventAt(view.timeline, view.timeline.time)}
-          >
-            <Icon name="add" size={12} />
-          </button>
+          />
         )}
         {(row.kind === 'track' || row.kind === 'group') && (
-          <button
-            type="button"
+          <IconButton
+            icon="close"
             className="track-key track-remove"
             tabIndex={-1}
-            aria-label={t('Remove {name}', { name: row.label })}
-            title={t('Remove {name}', { name: row.label })}
+            label={t('Remove {name}', { name: row.label })}
             onClick={onRemove}
-          >
-            <Icon name="close" size={12} />
-          </button>
+          />
         )}
       </span>
     </div>

@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { useEditor } from '../../ui/EditorContext';
 import { usePreferences } from '../../ui/usePreferences';
 
@@ -14,14 +14,12 @@ export function ThemeButton(): ReactNode {
   const { preferences } = useEditor();
   const theme = usePreferences(({ theme: chosen }) => chosen);
   return (
-    <button
-      type="button"
+    <IconButton
+      icon={theme === 'light' ? 'directional' : theme === 'dark' ? 'moon' : 'contrast'}
+      size={16}
       className="button"
-      aria-label={themeLabel(theme)}
-      title={themeLabel(theme)}
+      label={themeLabel(theme)}
       onClick={() => preferences.setState({ theme: next[theme] })}
-    >
-      <Icon name={theme === 'light' ? 'directional' : theme === 'dark' ? 'moon' : 'contrast'} />
-    </button>
+    />
   );
 }

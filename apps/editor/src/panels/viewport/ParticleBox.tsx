@@ -1,7 +1,7 @@
 import { formatNumber, t, tCount } from '@farol/editing';
 import { type ReactNode, useCallback, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { NumberInput } from '../../ui/NumberInput';
 import { usePoll } from '../../ui/usePoll';
 import type { ParticlePreview } from '../../viewport/particles/ParticlePreview';
@@ -27,29 +27,25 @@ export function ParticleBox({ preview }: { readonly preview: ParticlePreview }):
     <section className="particle-box" aria-label={t('Preview of particles')}>
       <h2 title={name}>{name}</h2>
       <div className="particle-buttons">
-        <button
-          type="button"
+        <IconButton
+          icon={preview.isPlaying ? 'pause' : 'play'}
+          size={16}
           className="button"
-          aria-label={play}
-          title={play}
+          label={play}
           onClick={() => {
             preview.isPlaying = !preview.isPlaying;
           }}
-        >
-          <Icon name={preview.isPlaying ? 'pause' : 'play'} />
-        </button>
-        <button
-          type="button"
+        />
+        <IconButton
+          icon="first"
+          size={16}
           className="button"
-          aria-label={t('Restart the preview')}
-          title={t('Restart the preview')}
+          label={t('Restart the preview')}
           onClick={() => {
             preview.restart();
             viewport.invalidate();
           }}
-        >
-          <Icon name="first" />
-        </button>
+        />
         <span className="particle-speed" aria-hidden="true">
           {t('Speed')}
         </span>

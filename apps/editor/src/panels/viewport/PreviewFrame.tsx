@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { useEditor } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { previewPlace } from '../../viewport/previewPlace';
 
 /** Frame around the inset with the selected camera's view, which the viewport draws. */
@@ -17,17 +17,14 @@ export function PreviewFrame(): ReactNode {
   return (
     <div className="preview-frame" style={{ width, height, right: margin, bottom: margin }}>
       <span>{camera.gameObject.name}</span>
-      <button
-        type="button"
-        className="button small"
-        aria-label={t('Look through {name}', { name: camera.gameObject.name })}
+      <IconButton
+        icon="maximise"
+        label={t('Look through {name}', { name: camera.gameObject.name })}
         title={t('Look through this camera')}
         onClick={() => {
           viewport.lookThrough = camera;
         }}
-      >
-        <Icon name="maximise" size={12} />
-      </button>
+      />
     </div>
   );
 }

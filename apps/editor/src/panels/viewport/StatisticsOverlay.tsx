@@ -1,5 +1,6 @@
 import { formatCount, t } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect, useRef } from 'react';
+import { FigureList } from '../../ui/FigureList';
 import { useEditor } from '../../ui/EditorContext';
 import { usePoll } from '../../ui/usePoll';
 
@@ -52,17 +53,7 @@ export function StatisticsOverlay(): ReactNode {
   return (
     <section className="statistics" aria-label={t('Frame statistics')}>
       <canvas ref={canvas} width={240} height={40} aria-hidden="true" />
-      <dl>
-        {figures.split('\n').map((line) => {
-          const [name, value] = line.split('\t');
-          return (
-            <div key={name}>
-              <dt>{name}</dt>
-              <dd>{value}</dd>
-            </div>
-          );
-        })}
-      </dl>
+      <FigureList figures={figures.split('\n').map((line) => line.split('\t') as [string, string])} />
     </section>
   );
 }

@@ -6,7 +6,7 @@ import { lookFrom, toggleOrthographic } from '../../actions/viewpoint';
 import { nextView, resetViews } from '../../actions/display';
 import type { EditorApi } from '../../api/EditorApi';
 import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
-import { SetView } from '../../model/commands/SetView';
+import { setView } from '../../model/commands/SetValue';
 import { useEditor } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
 
@@ -14,7 +14,7 @@ function forgetView({ commands, document }: EditorApi, place: number): void {
   const view = document.scene.views.get(place);
   if (!view) return;
   const label = t('Forget {name}', { name: nameOfView(place, view) });
-  commands.run(new SetView(label, document.scene, place, null));
+  commands.run(setView(label, document.scene, place, null));
 }
 
 /** Asks for a name of a stored view. */
@@ -28,7 +28,7 @@ function renameView({ commands, dialogs, document }: EditorApi, place: number): 
     label: t('Name'),
     value: nameOfView(place, view),
     action: t('Rename'),
-    accept: (name) => commands.run(new SetView(t('Rename {name}', { name }), scene, place, { ...view, name })),
+    accept: (name) => commands.run(setView(t('Rename {name}', { name }), scene, place, { ...view, name })),
   });
 }
 

@@ -4,6 +4,7 @@ import { forgetRecent, openRecent } from '../../files/recent/openRecent';
 import type { RecentFile } from '../../model/RecentFiles';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 
 const when = new Intl.DateTimeFormat(undefined, { dateStyle: 'medium', timeStyle: 'short' });
 
@@ -31,15 +32,13 @@ export function RecentCards({ onClose }: { onClose(): void }): ReactNode {
               <Picture file={file} />
               <span>{file.name}</span>
             </button>
-            <button
-              type="button"
+            <IconButton
+              icon="close"
               className="button small welcome-forget"
-              aria-label={t('Forget {name}', { name: file.name })}
+              label={t('Forget {name}', { name: file.name })}
               title={t('Take it out of this list; the file stays')}
               onClick={() => editor.attempt(() => forgetRecent(editor, file))}
-            >
-              <Icon name="close" size={12} />
-            </button>
+            />
           </li>
         ))}
       </ul>

@@ -9,6 +9,7 @@ import { isFileDrag } from '../../files/dragAsset';
 import type { WelcomeDialog } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { IconButton } from '../../ui/IconButton';
 import { useDropTarget } from '../../ui/useDropTarget';
 import { usePreferences } from '../../ui/usePreferences';
 import type { IconName } from '../../style/iconPaths';
@@ -51,9 +52,7 @@ export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
           <Dialog.Title>{t('Welcome to Farol')}</Dialog.Title>
           <Dialog.Description>{t('Scenes with very many lights, in the browser.')}</Dialog.Description>
         </div>
-        <button type="button" className="button" aria-label={t('Close')} title={t('Close')} onClick={onClose}>
-          <Icon name="close" />
-        </button>
+        <IconButton icon="close" size={16} className="button" label={t('Close')} onClick={onClose} />
       </header>
       <div className="welcome-body">
         {offer && (

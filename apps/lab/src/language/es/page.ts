@@ -60,7 +60,6 @@ export const page: Texts = {
     'npm los está descargando: de segundos a minutos, según la red.',
   'They are installed: reload the page to measure them.': 'Están instalados: hay que recargar la página para medirlos.',
   'From {min} to {max}, whole.': 'De {min} a {max}, entero.',
-  'From {min} to {max}.': 'De {min} a {max}.',
   'Chart {number}': 'Gráfico {number}',
   'Remove chart {number}': 'Quitar el gráfico {number}',
   'What changes': 'Qué cambia',

@@ -6,21 +6,20 @@ interface NumberFieldProps {
   value: number;
   min: number;
   max: number;
-  step?: number;
   unit?: string;
   isDisabled?: boolean;
   onChange(value: number): void;
 }
 
-/** Field for a number within bounds. A number out of bounds is marked as invalid and not reported. */
-export function NumberField({ label, value, min, max, step = 1, unit, isDisabled, onChange }: NumberFieldProps) {
+/** Field for a whole number within bounds. A number out of bounds is marked as invalid and not reported. */
+export function NumberField({ label, value, min, max, unit, isDisabled, onChange }: NumberFieldProps) {
   const id = useId();
   const [text, setText] = useState(String(value));
   useEffect(() => setText((current) => (Number(current) === value ? current : String(value))), [value]);
-  const isValid = isWithin(text, min, max, step);
+  const isValid = isWithin(text, min, max);
   const read = (next: string): void => {
     setText(next);
-    if (isWithin(next, min, max, step) && Number(next) !== value) onChange(Number(next));
+    if (isWithin(next, min, max) && Number(next) !== value) onChange(Number(next));
   };
   return (
     <div class="field">
@@ -33,7 +32,6 @@ export function NumberField({ label, value, min, max, step = 1, unit, isDisabled
         type="number"
         min={min}
         max={max}
-        step={step}
         value={text}
         disabled={isDisabled}
         aria-invalid={!isValid}
@@ -42,17 +40,14 @@ export function NumberField({ label, value, min, max, step = 1, unit, isDisabled
       />
       {!isValid && (
         <p id={`${id}-problem`} class="problem">
-          {t(step === 1 ? 'From {min} to {max}, whole.' : 'From {min} to {max}.', {
-            min: formatCount(min),
-            max: formatCount(max),
-          })}
+          {t('From {min} to {max}, whole.', { min: formatCount(min), max: formatCount(max) })}
         </p>
       )}
     </div>
   );
 }
 
-function isWithin(text: string, min: number, max: number, step: number): boolean {
+function isWithin(text: string, min: number, max: number): boolean {
   const value = Number(text);
-  return text.trim() !== '' && value >= min && value <= max && (step !== 1 || Number.isInteger(value));
+  return text.trim() !== '' && value >= min && value <= max && Number.isInteger(value);
 }

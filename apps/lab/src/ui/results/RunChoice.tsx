@@ -5,6 +5,7 @@ import type { RunInfo, RunStore } from '../../results/RunStore';
 import { useRuns } from '../../results/useRuns';
 import { deviceName } from '../../words/device';
 import { formatDate } from '../../words/format';
+import { Select } from '../Select';
 import { messageOf } from '../../run/messageOf';
 
 interface RunChoiceProps {
@@ -32,17 +33,16 @@ export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
   };
   const isListed = run !== null && all.some(({ id }) => id === run.id);
   return (
-    <label class="inline-field">
-      {t('Show')}
-      <select value={isListed ? run.id : ''} onChange={({ currentTarget }) => void open(currentTarget.value)}>
-        {!isListed && <option value="">{run ? run.name || t(run.plan.label) : t('None')}</option>}
-        {all.map((info, index) => (
-          <option key={info.id} value={info.id}>
-            {infoText(info, index >= kept.length)}
-          </option>
-        ))}
-      </select>
-    </label>
+    <Select
+      class="inline-field"
+      label={t('Show')}
+      value={isListed ? run.id : ''}
+      options={[
+        ...(isListed ? [] : [['', run ? run.name || t(run.plan.label) : t('None')] as const]),
+        ...all.map((info, index) => [info.id, infoText(info, index >= kept.length)] as const),
+      ]}
+      onChange={(id) => void open(id)}
+    />
   );
 }
 

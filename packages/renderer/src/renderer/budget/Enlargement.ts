@@ -1,19 +1,17 @@
 import {
   AlwaysDepth,
-  ColorManagement,
   CustomBlending,
   HalfFloatType,
   LessEqualDepth,
   NoBlending,
   OneFactor,
   OneMinusSrcAlphaFactor,
-  SRGBTransfer,
-  type ColorSpace,
   type Texture,
   Vector2,
   type WebGLRenderTarget,
 } from 'three';
 import type { Frame } from '../../frame/Frame';
+import { isEncoded } from '../../frame/FrameRedirect';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import displayTransfer from '../../frame/displayTransfer.glsl?raw';
 import easu from './easu.glsl?raw';
@@ -94,7 +92,7 @@ export class Enlargement {
     const { colorSpace } = small.texture;
     shared.farol_offset.value.set(viewport.x, viewport.y);
     shared.farol_scaling.value.set(small.viewport.z / width, small.viewport.w / height);
-    shared.farol_isLinear.value = ColorManagement.getTransfer(colorSpace as ColorSpace) !== SRGBTransfer;
+    shared.farol_isLinear.value = !isEncoded(colorSpace);
     depth.farol_pictureDepth.value = small.depthTexture;
     depth.farol_largeSize.value.set(width, height);
     const pass = frame.finer === null ? rcas : finer;

@@ -93,9 +93,9 @@ function GridPart({ tool }: PartProps): ReactNode {
 function ScatterPart({ tool, value }: PartProps): ReactNode {
   return (
     <>
-      <div className="tool-row">
+      <div className="setting-row">
         <span>{t('Surface')}</span>
-        <strong className="tool-value">{tool.target?.name ?? t('None')}</strong>
+        <strong className="tool-value one-line">{tool.target?.name ?? t('None')}</strong>
       </div>
       <p className="tool-note">{t('Click another object, in the picture or the tree, to take its surface.')}</p>
       <Count tool={tool} value={value} />
@@ -219,9 +219,7 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
       </p>
       <div className="dialog-buttons">
         <Button label={t('Cancel')} onClick={() => tools.end(tool)} />
-        <button type="submit" className="button primary" disabled={tool.total <= tool.sources.length}>
-          {t('Duplicate')}
-        </button>
+        <Button type="submit" look="primary" label={t('Duplicate')} disabled={tool.total <= tool.sources.length} />
       </div>
     </form>
   );

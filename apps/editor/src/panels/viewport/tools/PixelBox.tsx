@@ -126,14 +126,14 @@ function Line({ line }: { readonly line: ShareLine }): ReactNode {
         {object ? (
           <button
             type="button"
-            className="pixel-name"
+            className="pixel-name one-line"
             aria-pressed={isSelected}
             onClick={() => document.selection.set([object.id])}
           >
             {name}
           </button>
         ) : (
-          <span className="pixel-name">{name}</span>
+          <span className="pixel-name one-line">{name}</span>
         )}
       </th>
       <td title={linear(color)}>{percent(share)}</td>

@@ -15,17 +15,9 @@ interface NumberRowProps {
 /** A number setting of a tool, applied while it is edited. */
 export function NumberRow({ label, onChange, value, ...rest }: NumberRowProps): ReactNode {
   return (
-    <div className="tool-row">
+    <div className="setting-row">
       <span aria-hidden="true">{label}</span>
-      <NumberInput
-        {...rest}
-        value={value}
-        label={label}
-        handle={<span className="grip" />}
-        onPreview={onChange}
-        onCommit={() => {}}
-        onDiscard={() => {}}
-      />
+      <NumberInput {...rest} value={value} label={label} handle={<span className="grip" />} onPreview={onChange} />
     </div>
   );
 }
@@ -38,7 +30,7 @@ interface TripleRowProps extends Omit<NumberRowProps, 'value' | 'onChange'> {
 /** Three number settings of a tool, along x, y and z. */
 export function TripleRow({ label, value, onChange, ...rest }: TripleRowProps): ReactNode {
   return (
-    <div className="tool-row triple" role="group" aria-label={label}>
+    <div className="setting-row triple" role="group" aria-label={label}>
       <span aria-hidden="true">{label}</span>
       {(['x', 'y', 'z'] as const).map((axis, i) => (
         <NumberInput
@@ -54,8 +46,6 @@ export function TripleRow({ label, value, onChange, ...rest }: TripleRowProps): 
             triple[i] = next;
             onChange(triple);
           }}
-          onCommit={() => {}}
-          onDiscard={() => {}}
         />
       ))}
     </div>
