@@ -62,7 +62,7 @@ test('of coplanar surfaces, in any order of materials, every technique shows the
     });
     materials.forEach((material, i) => {
       const depth = depths[i];
-      for (let k = 0; k < (depth === 3 ? 1 : 3); k++) {
+      for (let k = 0; k < (i % 4 === 0 ? 2 : 1); k++) {
         const geometry = new three.PlaneGeometry(depth * (0.4 + 0.5 * random()), depth * (0.3 + 0.4 * random()));
         const mesh = new three.Mesh(geometry, material);
         mesh.position.set(depth * (random() - 0.5), depth * (random() - 0.5) * 0.7, -depth);
@@ -107,7 +107,6 @@ test('of coplanar surfaces, in any order of materials, every technique shows the
   expect(compareImages(seen.flat.stock, seen.flat.image).psnr, 'without a depth buffer').toBeGreaterThan(120);
   for (const { technique, image, stock, order } of seen.pictures) {
     expect(isFlat(stock)).toBe(false);
-    console.log(technique, order.join(), compareImages(stock, image).psnr);
     checkAgreement(technique, compareImages(stock, image), `${technique}, ${order.length} materials`);
     const isById = order.join() === order.toSorted((a, b) => a - b).join();
     expect(isById, `${technique} draws by ids`).toBe(technique === 'forward' || technique === 'forward-plus');

@@ -55,6 +55,8 @@ const keys = new Float64Array(MOST_PARTS);
 const runs: RenderItem[] = [];
 /** Place of each run in the order of draws: a run is drawn after those of lower places. */
 const places = new Float64Array(MOST_RUNS);
+/** Number of items of each run. */
+const lengths = new Uint16Array(MOST_RUNS);
 /** Index of each run's material, in the order of ids. */
 const materialOf = new Uint8Array(MOST_RUNS);
 /** Area of a material (cells) that another one hides, at index material × MOST_RUNS + other. */
@@ -119,8 +121,10 @@ export class Overdraw {
       if (last === null || (size > 0 ? i % size === 0 : !isAlike)) {
         if (runs.length === MOST_RUNS) return false;
         places[runs.length] = (this.order?.rankOf(item) ?? 0) * MOST_RUNS + runs.length;
+        lengths[runs.length] = 0;
         runs.push(item);
       }
+      lengths[runs.length - 1]++;
       last = item;
       this.placeItem(item, camera, step);
     }
@@ -196,10 +200,12 @@ export class Overdraw {
       if (id < ids[ids.length - 1]) return 0; // the host has an order of its own
       if (ids[ids.length - 1] !== id) ids.push(id);
       materialOf[run] = ids.length - 1;
-      for (let other = 0; other <= run; other++) {
-        const [one, two] = [materialOf[run], materialOf[other]];
-        wastes[one * MOST_RUNS + two] += hides[other * MOST_RUNS + run];
-        if (run !== other) wastes[two * MOST_RUNS + one] += hides[run * MOST_RUNS + other];
+      const row = materialOf[run] * MOST_RUNS;
+      // a part is hidden by its own item in the estimate alone
+      wastes[row + materialOf[run]] += hides[run * MOST_RUNS + run] * (1 - 1 / lengths[run]);
+      for (let other = 0; other < run; other++) {
+        wastes[row + materialOf[other]] += hides[other * MOST_RUNS + run];
+        wastes[materialOf[other] * MOST_RUNS + materialOf[run]] += hides[run * MOST_RUNS + other];
       }
     }
     for (const item of opaque) {
