@@ -1,3 +1,4 @@
+import { extent } from '@farol/tools/extent';
 import { expect, test } from '../support/test';
 
 /** Techniques that draw before the code of others is there: those that have drawn the scene before. */
@@ -166,4 +167,72 @@ test('ready waits for the first frame, and for one after a lost context; a rende
     'restored: ready',
     'disposed: Farol: the renderer was disposed before it was ready; make a new FarolRenderer.',
   ]);
+});
+
+test('a picture without a field, and its programs, are the same before and after the code of fields came', async ({
+  page,
+  pagesURL,
+}) => {
+  await page.goto(`${pagesURL}?lazy&tests=${extent}`);
+  await page.waitForFunction(() => 'testPage' in window);
+  const seen = await page.evaluate(async () => {
+    const { Bench, farol, isSlice, lightFields, three } = window.testPage;
+    const scene = new three.Scene();
+    const floor = new three.Mesh(new three.PlaneGeometry(9, 9), new three.MeshStandardMaterial({ roughness: 0.4 }));
+    const glass = new three.Mesh(
+      new three.SphereGeometry(0.7, 12, 8),
+      new three.MeshPhongMaterial({ transparent: true, opacity: 0.5 }),
+    );
+    glass.position.z = 0.8;
+    scene.add(floor, glass, new three.HemisphereLight(0x334455, 0x221100, 0.5));
+    for (let i = 0; i < 60; i++) {
+      const light = i % 3 ? new three.PointLight(0xffddaa, 0.5, 2) : new three.SpotLight(0xaaddff, 2, 3, 0.5, 0.5);
+      light.position.set((i % 10) - 4.5, Math.floor(i / 10) - 2.5, 0.8);
+      if ('target' in light) {
+        light.target.position.set(light.position.x, light.position.y, 0);
+        scene.add(light.target);
+      }
+      scene.add(light);
+    }
+    const camera = new three.PerspectiveCamera(50, 4 / 3, 0.1, 20);
+    camera.position.set(0, -2, 6);
+    camera.lookAt(0, 0, 0);
+    // what needs code of another kind is left out, or its code fetched: it would change with that
+    await farol.FarolRenderer.preload(['light-grid', 'light-tiles']);
+    const all = ['forward-single-pass', 'tiled-deferred', 'clustered-forward', 'deferred', 'clustered-deferred'];
+    const techniques = isSlice ? all.slice(0, 3) : all;
+    const draw = () => {
+      const bench = new Bench(64, 48);
+      const gl = bench.webgl.getContext() as WebGL2RenderingContext;
+      const pictures = techniques.map((technique) => [
+        ...bench.byTechnique(technique as 'forward', scene, camera).data,
+      ]);
+      const sources = (bench.webgl.info.programs ?? [])
+        .flatMap(({ program }) => gl.getAttachedShaders(program as WebGLProgram) ?? [])
+        .map((shader) => gl.getShaderSource(shader));
+      const again = (change: () => void) => {
+        change();
+        return techniques.map((technique) => [...bench.byTechnique(technique as 'forward', scene, camera).data]);
+      };
+      return { pictures, sources: sources.toSorted(), again };
+    };
+    const before = draw();
+    const { pictures } = before;
+    await farol.FarolRenderer.preload();
+    const after = draw();
+    const field = new lightFields.LightField(200);
+    for (let i = 0; i < 200; i++) field.setPoint(i, (i % 20) / 2 - 5, Math.floor(i / 20) - 5, 0.5, 1, 1, 0, 1);
+    const withField = before.again(() => scene.add(field));
+    const without = before.again(() => scene.remove(field));
+    return {
+      sources: [before.sources.length, JSON.stringify(after.sources) === JSON.stringify(before.sources)],
+      same: [after.pictures, without].map((list) => JSON.stringify(list) === JSON.stringify(pictures)),
+      seen: withField.map((picture, i) => JSON.stringify(picture) !== JSON.stringify(pictures[i])),
+    };
+  });
+  expect(seen.sources[0]).toBeGreaterThan(8);
+  expect(seen.sources[1], 'sources of programs').toBe(true);
+  expect(seen.same, 'another renderer, and one that drew a field').toEqual([true, true]);
+  expect(seen.seen.length).toBeGreaterThan(2);
+  expect(seen.seen, 'techniques that show the field').not.toContain(false);
 });

@@ -6,14 +6,15 @@ const ease = (t: number): number => t * t * (3 - 2 * t);
 export function createNoise(cells: number, seed: number): (x: number, y: number) => number {
   const random = createRandom(seed);
   const lattice = Float32Array.from({ length: cells * cells }, random);
-  const wrap = (i: number): number => ((i % cells) + cells) % cells;
   return (x, y) => {
-    const [fx, fy] = [x * cells, y * cells];
-    const [ix, iy] = [Math.floor(fx), Math.floor(fy)];
-    const [tx, ty] = [ease(fx - ix), ease(fy - iy)];
-    const [column, row] = [wrap(ix), wrap(iy)];
-    const [x0, x1] = [column, column + 1 === cells ? 0 : column + 1];
-    const [y0, y1] = [row * cells, row + 1 === cells ? 0 : (row + 1) * cells];
+    const ix = Math.floor(x * cells);
+    const iy = Math.floor(y * cells);
+    const tx = ease(x * cells - ix);
+    const ty = ease(y * cells - iy);
+    const x0 = ix - Math.floor(ix / cells) * cells;
+    const y0 = (iy - Math.floor(iy / cells) * cells) * cells;
+    const x1 = x0 + 1 === cells ? 0 : x0 + 1;
+    const y1 = y0 + cells === lattice.length ? 0 : y0 + cells;
     const top = lattice[y0 + x0] * (1 - tx) + lattice[y0 + x1] * tx;
     const bottom = lattice[y1 + x0] * (1 - tx) + lattice[y1 + x1] * tx;
     return top * (1 - ty) + bottom * ty;
@@ -30,9 +31,5 @@ export function createFractalNoise(
   const layers = Array.from({ length: octaves }, (_, i) => createNoise(cells * 2 ** i, seed + i * 101));
   const weights = layers.map((_, i) => gain ** i);
   const total = weights.reduce((sum, weight) => sum + weight, 0);
-  return (x, y) => {
-    let sum = 0;
-    for (let i = 0; i < octaves; i++) sum += layers[i](x, y) * weights[i];
-    return sum / total;
-  };
+  return (x, y) => layers.reduce((sum, layer, i) => sum + layer(x, y) * weights[i], 0) / total;
 }

@@ -87,7 +87,8 @@ export function paintSky(look: SkyLook, width: number, height: number): Float32A
       let open = isUp ? 1 : Math.max(0, 1 + y * 12);
       if (disc && sun && open > 0) {
         const near = Math.max(0, x * sun[0] + y * sun[1] + z * sun[2]);
-        const haze = near ** 6 * low * open;
+        const cube = near * near * near;
+        const haze = cube * cube * low * open;
         // farther away the glow is too small for a half float
         const glow = near > GLOWING ? near ** 220 * open : 0;
         r += disc.haze[0] * haze + disc.glow[0] * glow;
