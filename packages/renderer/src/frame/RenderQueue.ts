@@ -57,8 +57,11 @@ interface MaterialLook {
 export interface MaterialOrder {
   /** Id of the first material; materials of lower ids come after some of higher ids. */
   readonly pivot: number;
-  /** @returns opaque items, valid until the next call; null if they must be drawn in three's order */
-  sort(opaque: readonly RenderItem[]): readonly RenderItem[] | null;
+  /**
+   * @param isFar - `RenderQueue.isFar`
+   * @returns opaque items, valid until the next call; null if they must be drawn in three's order
+   */
+  sort(opaque: readonly RenderItem[], isFar: RenderQueue['isFar']): readonly RenderItem[] | null;
 }
 
 /** Draws of a frame, in three.js's three lists. Items are pooled. */
@@ -259,11 +262,9 @@ export class RenderQueue {
    */
   beginOrder(): readonly RenderItem[] {
     const { opaque, order } = this;
-    const items = this.mayReorder && order !== null ? order.sort(opaque) : null;
+    const items = this.mayReorder && order !== null ? order.sort(opaque, this.isFar) : null;
     if (items === null) return opaque;
-    const { pivot } = order!;
-    for (let i = 0; i < items.length; i++) if (items[i].material.id < pivot && this.isFar(items[i])) return opaque;
-    this.pivot = pivot;
+    this.pivot = order!.pivot;
     return items;
   }
 

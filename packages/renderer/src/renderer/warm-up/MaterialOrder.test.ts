@@ -63,6 +63,10 @@ const item = (id: number, z: number, more: Partial<RenderItem> = {}): RenderItem
   return { object, material, groupOrder: 0, renderOrder: 0, z, shading: 'lit', ...more } as RenderItem;
 };
 
+/** Items in an order; null for three's. @param far - an item whose depth may equal the cleared depth */
+const sort = (order: MaterialOrder, items: readonly RenderItem[], far: RenderItem | null = null) =>
+  order.sort(items, (item) => item === far);
+
 /** Draws items with whole depths at the pixels of a row. @returns index of the visible item at each pixel */
 function draw(items: readonly RenderItem[], pivot: number, depths: ReadonlyMap<RenderItem, readonly number[]>) {
   const seen = Array.from({ length: 12 }, () => ({ depth: Infinity, item: null as RenderItem | null }));
@@ -88,7 +92,7 @@ it('shows, of items at one depth, the one that three shows, also of materials th
     const known = ids.filter((_, i) => i === 0 || random(3) > 0);
     order.find(known, randomWastes(known.length));
     const depths = new Map(all.map((one) => [one, indices(12).map(() => (random(4) === 0 ? NaN : random(3)))]));
-    const sorted = order.sort(all) ?? all;
+    const sorted = sort(order, all) ?? all;
     expect(new Set(sorted)).toEqual(new Set(all));
     if (sorted.some((one, i) => one !== all[i])) moved++;
     expect(draw(sorted, order.pivot, depths)).toEqual(draw(all, 0, depths));
@@ -103,10 +107,12 @@ it("leaves three's order to items of several render orders, and of blended or no
   order.find([4, 8], wastes);
   const [low, high] = [item(4, 1), item(8, 2)];
   const near = item(4, 0.5);
-  expect(order.sort([near, low, high])).toEqual([high, low, near]);
-  expect(order.sort([])).toBeNull();
-  expect(order.sort([low, item(8, 0, { renderOrder: 1 })])).toBeNull();
-  expect(order.sort([low, item(8, 0, { groupOrder: 1 })])).toBeNull();
-  expect(order.sort([low, item(8, 0, { shading: 'nodes' })])).toBeNull();
-  expect(order.sort([low, item(8, 0, { material: new MeshBasicMaterial({ transparent: true }) })])).toBeNull();
+  expect(sort(order, [near, low, high])).toEqual([high, low, near]);
+  expect(sort(order, [near, low, high], low)).toBeNull();
+  expect(sort(order, [near, low, high], high)).not.toBeNull();
+  expect(sort(order, [])).toBeNull();
+  expect(sort(order, [low, item(8, 0, { renderOrder: 1 })])).toBeNull();
+  expect(sort(order, [low, item(8, 0, { groupOrder: 1 })])).toBeNull();
+  expect(sort(order, [low, item(8, 0, { shading: 'nodes' })])).toBeNull();
+  expect(sort(order, [low, item(8, 0, { material: new MeshBasicMaterial({ transparent: true }) })])).toBeNull();
 });

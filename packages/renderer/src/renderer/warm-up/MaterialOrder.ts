@@ -1,5 +1,5 @@
 import type { RenderItem } from '../../frame/RenderItem';
-import type { MaterialOrder as Order } from '../../frame/RenderQueue';
+import type { MaterialOrder as Order, RenderQueue } from '../../frame/RenderQueue';
 
 /** Maximum number of materials of an order. */
 export const MOST_MATERIALS = 64;
@@ -55,7 +55,7 @@ export class MaterialOrder implements Order {
     return saved;
   }
 
-  sort(opaque: readonly RenderItem[]): readonly RenderItem[] | null {
+  sort(opaque: readonly RenderItem[], isFar: RenderQueue['isFar']): readonly RenderItem[] | null {
     const { items, pivot } = this;
     const { length } = opaque;
     if (length === 0 || !isBeside(opaque[0], opaque[length - 1])) return null;
@@ -64,7 +64,9 @@ export class MaterialOrder implements Order {
       const { material, shading } = opaque[i];
       // three draws node materials all at once, and blended ones need what lies behind them
       if (shading === 'nodes' || material.transparent) return null;
-      if (material.id < pivot) next++;
+      if (material.id >= pivot) continue;
+      if (isFar(opaque[i])) return null;
+      next++;
     }
     let before = next - 1;
     let rank = this.rankOf(opaque[next]);
