@@ -21,6 +21,7 @@ import { warnOfNaN } from './warnOfNaN';
 import { farthestTold, isPlainProjection, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
 import { isWeakDevice, type Quality } from '../gpu/isWeakDevice';
+import type { FarolEffect } from './FarolEffect';
 import type { FieldDraws } from './FieldDraws';
 import { FrameTarget } from './FrameTarget';
 import type { LightTable } from '../lighting/LightTable';
@@ -44,7 +45,7 @@ import { ResourceTable } from './Resources';
 import type { Session } from './Session';
 import type { SharedUniforms } from './sharedUniforms';
 import type { TwinAdapter } from './TwinAdapter';
-import { directDraw, type DirectDraw, strictDraw } from '../three/directDraw';
+import { directDraw, type DirectDraw } from '../three/directDraw';
 import { isDepthReversed } from '../three/state';
 
 type MaterialCallback = (
@@ -62,6 +63,12 @@ export interface LateDraws {
   gouraudTwins(view: View): ForwardTwins | null;
   /** Makes the draws of node materials by three. */
   makeNodes(): NodeDraws | null;
+}
+
+/** Compiles the programs of passes: a little in each `step`. */
+export interface Preparation {
+  readonly ready: boolean;
+  step(effects: readonly FarolEffect[]): void;
 }
 
 /** Shadow maps, as passes and views use them; implemented by ShadowMaps. */
@@ -106,6 +113,8 @@ export class Frame extends FrameTarget {
 
   /** The lights of light fields; null if the frame has none. */
   fields: FieldDraws | null = null;
+  /** Compiles programs for light lists at the ends of frames; null while there are none to compile. */
+  preparation: Preparation | null = null;
   /** Visibility of shadows by screen tile; null while no light casts a shadow. */
   tileShadows: TileShadows | null = null;
   /** Number of shadow maps drawn in this frame. */
@@ -142,7 +151,6 @@ export class Frame extends FrameTarget {
   private nodes: NodeDraws | null = null;
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
-  private readonly strictDraw: DirectDraw;
   private readonly callbacks: CallbackWatch;
 
   constructor(
@@ -155,7 +163,6 @@ export class Frame extends FrameTarget {
   ) {
     super(webgl);
     this.draw = directDraw(webgl);
-    this.strictDraw = strictDraw(webgl);
     this.callbacks = new CallbackWatch(webgl);
   }
 
@@ -326,8 +333,9 @@ export class Frame extends FrameTarget {
     const first = item.shading === 'lit' && this.drawsToSeveral && !hasOwnShader(source);
     if (first) this.setDrawBuffers(1);
     try {
-      if (source.id < this.queue.pivot) this.strictDraw(camera, scene, geometry, material, object, group);
-      else this.draw(camera, scene, geometry, material, object, group);
+      const { order, pivot } = this.queue;
+      const draw = source.id < pivot ? order!.draw : this.draw;
+      draw(camera, scene, geometry, material, object, group);
     } finally {
       if (first) this.setDrawBuffers(this.target!.textures.length);
     }

@@ -5,7 +5,7 @@ import { RenderQueue } from './RenderQueue';
 /** Depths of the opaque items of a queue, in the order in which a pass that draws each once does so; its order reverses three's. */
 function sortedDepths(ranked: boolean, ordered = false, custom = false, reversed = false): number[] {
   const queue = new RenderQueue();
-  if (ranked) queue.order = { pivot: 9, sort: (opaque) => opaque.toReversed() };
+  if (ranked) queue.order = { pivot: 9, draw() {}, sort: ({ opaque }) => opaque.toReversed() };
   queue.clear();
   const [first, second] = [new MeshBasicMaterial(), new MeshBasicMaterial()];
   const push = (z: number, material: MeshBasicMaterial, renderOrder = 0) => {

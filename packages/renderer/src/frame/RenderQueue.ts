@@ -9,6 +9,7 @@ import type { TwinKind } from '../materials/TwinKind';
 import { isStepOfHost } from './hostCallbacks';
 import { isPlain, type ItemShading, type RenderItem } from './RenderItem';
 import type { GeometryGroup, RenderItemSort, RenderListItem } from '../three/RenderListItem';
+import type { DirectDraw } from '../three/directDraw';
 import { warnOfNaN } from './warnOfNaN';
 
 const center = new Vector3();
@@ -57,12 +58,14 @@ interface MaterialLook {
 export interface MaterialOrder {
   /** Id of the first material; materials of lower ids come after some of higher ids. */
   readonly pivot: number;
-  /**
-   * @param isFar - `RenderQueue.isFar`
-   * @returns opaque items, valid until the next call; null if they must be drawn in three's order
-   */
-  sort(opaque: readonly RenderItem[], isFar: RenderQueue['isFar']): readonly RenderItem[] | null;
+  /** Draws as `Frame.draw`, but with LessDepth in place of LessEqualDepth: for items below the pivot. */
+  readonly draw: DirectDraw;
+  /** @returns opaque items, valid until the next call; null if they must be drawn in three's order */
+  sort(queue: OpaqueItems): readonly RenderItem[] | null;
 }
+
+/** Parts of a RenderQueue that orders of materials read. */
+export type OpaqueItems = Pick<RenderQueue, 'cleared' | 'reaches'> & { readonly opaque: readonly RenderItem[] };
 
 /** Draws of a frame, in three.js's three lists. Items are pooled. */
 export class RenderQueue {
@@ -86,7 +89,7 @@ export class RenderQueue {
   pivot = 0;
   private camera!: Camera;
   /** Distance (m) given to `watchFar`. */
-  private cleared = Infinity;
+  cleared = Infinity;
   /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
   /** Materials that only three's own lights can light. */
@@ -212,7 +215,7 @@ export class RenderQueue {
   }
 
   /** Whether an object's bounding sphere extends beyond a distance (m). True without a sphere. */
-  private reaches(object: Object3D, geometry: BufferGeometry, distance: number): boolean {
+  reaches(object: Object3D, geometry: BufferGeometry, distance: number): boolean {
     const sphere = (object as Object3D & Partial<BufferGeometry>).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
     const { matrixWorld } = object;
@@ -262,15 +265,11 @@ export class RenderQueue {
    */
   beginOrder(): readonly RenderItem[] {
     const { opaque, order } = this;
-    const items = this.mayReorder && order !== null ? order.sort(opaque, this.isFar) : null;
+    const items = this.mayReorder && order !== null ? order.sort(this) : null;
     if (items === null) return opaque;
     this.pivot = order!.pivot;
     return items;
   }
-
-  /** Whether an item's depth may equal the cleared depth, so that LessDepth would hide it. */
-  readonly isFar = ({ material, object, geometry }: RenderItem): boolean =>
-    material.polygonOffset || this.reaches(object, geometry, this.cleared);
 
   /** @param reversed - whether to reverse the sorted lists, as three up to 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {

@@ -1,5 +1,5 @@
 import { FloatType, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
-import type { Frame } from '../frame/Frame';
+import type { Frame, Preparation } from '../frame/Frame';
 import { forwardTwins } from '../materials/forwardTwin';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import type { LightField } from './LightField';
@@ -7,7 +7,6 @@ import type { LightLists } from '../frame/LightLists';
 import type { FieldDraws } from '../frame/FieldDraws';
 import type { FoundLights } from '../lights/FoundLights';
 import type { Pass } from '../frame/Pass';
-import type { FarolEffect } from '../frame/FarolEffect';
 import type { RecordSettings } from '../lighting/LightRecords';
 import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
@@ -25,8 +24,10 @@ const TABLE_WIDTH = RECORDS_PER_ROW * TEXELS_PER_RECORD;
 const CLUSTERS: LightLists = { loop: 'lightLoopSlices', defines: {} };
 const sliceTwins = forwardTwins('lightLoopSlices');
 
-/** Compiles the programs of a pass: a little in each `step`, called at the end of a frame. */
-type Prepare = (frame: Frame, pass: Pass) => { readonly ready: boolean; step(effects: readonly FarolEffect[]): void };
+/** Code that compiles the programs of passes ahead; implemented by renderer/warm-up. */
+interface WarmUpCode {
+  readonly WarmUp: new (frame: Frame, technique: object, name: string, passes: readonly Pass[]) => Preparation;
+}
 
 /**
  * The lights of LightFields in the frames of one renderer. The CPU does no work for single lights.
@@ -73,8 +74,6 @@ export class LightFields implements FieldDraws {
     uniforms: this.uniforms,
   });
   isDrawn = false;
-  /** Compiles programs for packed lights; null while there are none to compile. */
-  preparation: ReturnType<Prepare> | null = null;
   /** Tile lists for which packed lights' programs are linked. */
   private prepared: TileDepthUse | null = null;
   count = 0;
@@ -153,25 +152,29 @@ export class LightFields implements FieldDraws {
   /**
    * Collects the lights of a frame, with the scene's plain point lights in a field of the renderer's own, if enough of them are
    * in view, as soon as the programs for it are linked.
-   * @param use - use of depths by the tile lists
-   * @param prepare - begins to compile the programs of a pass
+   * @param code - compiles the programs
    * @returns whether it did
    */
-  pack(found: FoundLights, masks: RecordSettings, use: TileDepthUse, prepare: Prepare): boolean {
-    const { packed, preparation } = this;
-    const { camera, lights } = this.frame;
-    if (!packed.pays(lights)) return false;
+  pack(found: FoundLights, masks: RecordSettings, { WarmUp }: WarmUpCode): boolean {
+    const { frame, packed } = this;
+    const { camera, lights, preparation } = frame;
+    frame.preparation = null;
+    const use = lights.tileLists;
+    if (use === null || !packed.pays(lights)) return false;
     if (this.prepared !== use) {
       if (preparation?.ready !== true) {
-        this.preparation = preparation ?? prepare(this.frame, this.passFor(use));
+        frame.preparation = preparation ?? new WarmUp(frame, {}, 'tile lists', [this.passFor(use)]);
         return false;
       }
       this.prepared = use;
-      this.preparation = null;
     }
     const field = packed.pack(found, camera);
     lights.collect(packed.rest, camera, masks);
-    lights.addPacked(field, Math.round(packed.share * field.count));
+    const { count } = field;
+    lights.fields.push(field);
+    lights.total += count;
+    lights.singles += count;
+    lights.visible += Math.round(packed.share * count);
     return true;
   }
 
@@ -191,6 +194,7 @@ export class LightFields implements FieldDraws {
   }
 
   dispose(): void {
+    this.frame.preparation = null;
     const { arrays, packed, lights, order, table, records, allLists } = this;
     for (const each of [packed, arrays, lights, order, table, records, ...allLists]) each.dispose();
     this.lists.clear();

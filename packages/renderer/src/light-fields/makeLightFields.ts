@@ -15,11 +15,12 @@ export function makeLightFields(frame: Frame): LightFields | null {
   const { webgl, microshaders } = frame;
   const gl = webgl.getContext();
   if (gl.getExtension('EXT_color_buffer_float') === null) {
-    if (!reported.has(gl) && !gl.isContextLost())
+    if (frame.lights.fields.length > 0 && !reported.has(gl) && !gl.isContextLost()) {
+      reported.add(gl);
       console.warn(
         `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws only to half floats'}, so LightFields give no light; use three's lights.`,
       );
-    if (!gl.isContextLost()) reported.add(gl);
+    }
     return null;
   }
   addMicroShaders(microshaders, 'light-fields', microShaders);

@@ -94,18 +94,6 @@ export class VisibleLights {
   }
 
   /**
-   * Adds a light field that holds single lights of the scene, which `collect` did not get.
-   * @param visible - number of its lights that the camera sees
-   */
-  addPacked(field: LightFieldData, visible: number): void {
-    const count = fieldCount(field);
-    this.fields.push(field);
-    this.total += count;
-    this.singles += count;
-    this.visible += visible;
-  }
-
-  /**
    * Adds the irradiance of an ambient or hemisphere light, a linear function of the view-space normal:
    * mix(ground, sky, 0.5 n·up + 0.5) = 0.5 (sky + ground) + n · 0.5 (sky - ground) up.
    */

@@ -266,7 +266,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       this.info.budget = draws.scale();
       for (const effect of effects.all) effect.begin?.(frame);
       this.lights.update(scene, frame, finder, this, effects.all.length > 0, this.pickTechnique);
-      picker.lists = this.lights.preparation;
       const { fills = 'behind' } = this.set.known[picker.active];
       sceneView.render(
         frame.camera,

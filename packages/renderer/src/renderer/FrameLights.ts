@@ -7,7 +7,6 @@ import { lightFieldCode, warmUpCode } from './lazyCode';
 import type { LightFields } from '../light-fields/LightFields';
 import type { FoundLights } from '../lights/FoundLights';
 import type { LightLayers } from '../shadows/LightLayers';
-import type { Pass } from '../frame/Pass';
 import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
@@ -26,8 +25,6 @@ export interface LightSettings {
 /** Number of lights that are objects from which on the GPU sorts plain point lights, as those of a LightField. */
 const PACKED_FROM = 4096;
 
-const prepare = (frame: Frame, pass: Pass) => new warmUpCode.required.WarmUp(frame, {}, 'tile lists', [pass]);
-
 function rankOf(order: LightOrder): RankLights | null {
   if (order === 'by-volume') return null;
   return order === 'by-grid' ? gridCode.required.rankByGrid : tileCode.required.rankByDepth;
@@ -43,11 +40,6 @@ export class FrameLights {
     layers: null as LightLayers | null,
     areas: null as AreaLightTable | null,
   };
-
-  /** Compiles programs of fields for tile lists, at the ends of frames; null while there are none to compile. */
-  get preparation(): LightFields['preparation'] {
-    return this.fields?.preparation ?? null;
-  }
 
   /** Bytes of the light table, shadow maps and light fields. */
   bytesOf({ fields }: Frame, { shadows }: LightFinder): number {
@@ -116,13 +108,11 @@ export class FrameLights {
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
   }
 
-  /** Collects many lights by packing them, as soon as the programs for it are linked. @returns whether it did */
+  /** Collects many lights by packing them, as soon as the code and programs for it are there. @returns whether it did */
   private pack(found: FoundLights, frame: Frame): boolean {
-    const { tileLists } = this.table;
-    if (tileLists === null || found.all.length < PACKED_FROM) return false;
-    if (!frame.webgl.extensions.has('EXT_color_buffer_float')) return false;
+    if (this.table.tileLists === null || found.all.length < PACKED_FROM) return false;
     if (!lightFieldCode.ask(false) || !warmUpCode.ask(false)) return false;
-    return this.makeFields(frame)?.pack(found, this.masks, tileLists, prepare) === true;
+    return this.makeFields(frame)?.pack(found, this.masks, warmUpCode.required) === true;
   }
 
   private beginFields(frame: Frame): LightFields | null {

@@ -5,7 +5,6 @@ import type { Frame } from '../frame/Frame';
 import type { Pass } from '../frame/Pass';
 import type { TechniqueChooser } from './warm-up/TechniqueChooser';
 import { learningCode, warmUpCode } from './lazyCode';
-import type { LightFields } from '../light-fields/LightFields';
 import type { LearningFrames } from './learning';
 import type { LightTable } from '../lighting/LightTable';
 import type { Overdraw } from './warm-up/Overdraw';
@@ -48,8 +47,6 @@ export class TechniquePicker {
   passTimer: GpuTimer | null = null;
   /** Trials of 'auto'; null until there is something to learn and their code is loaded. */
   learning: LearningFrames | null = null;
-  /** Compiles programs of light lists at the end of a frame; null while there are none to compile. */
-  lists: LightFields['preparation'] = null;
   private requested: TechniqueName = 'auto';
 
   constructor(
@@ -135,10 +132,11 @@ export class TechniquePicker {
   /** Compiles the next technique of 'auto', a little in each frame; call it at the end of a frame. */
   warmUp(scene: DrawnScene, frame: Frame, draws: EffectsByTechnique): void {
     const { chooser } = scene;
-    this.lists?.step([]);
+    frame.preparation?.step([]);
     const waits = this.requested === 'auto' && frame.session === null && chooser?.settled !== true;
     if (!waits && warmUpCode.isThere) {
-      scene.overdraw ??= new warmUpCode.required.Overdraw();
+      const { Overdraw, strictDraw } = warmUpCode.required;
+      scene.overdraw ??= new Overdraw(strictDraw(this.webgl));
       scene.overdraw.follow(frame);
     }
     if (this.requested !== 'auto' || chooser === null) return;

@@ -35,7 +35,7 @@ function growing(low: number, high: number): number[][] {
 const indices = (count: number): number[] => Array.from({ length: count }, (_, i) => i);
 
 it('wastes least of all orders that grow by neighbours', () => {
-  const order = new MaterialOrder();
+  const order = new MaterialOrder(() => {});
   let gains = 0;
   for (let trial = 0; trial < 200; trial++) {
     const count = 1 + (trial % 8);
@@ -65,7 +65,7 @@ const item = (id: number, z: number, more: Partial<RenderItem> = {}): RenderItem
 
 /** Items in an order; null for three's. @param far - an item whose depth may equal the cleared depth */
 const sort = (order: MaterialOrder, items: readonly RenderItem[], far: RenderItem | null = null) =>
-  order.sort(items, (item) => item === far);
+  order.sort({ opaque: items, cleared: 9, reaches: (object) => object === far?.object });
 
 /** Draws items with whole depths at the pixels of a row. @returns index of the visible item at each pixel */
 function draw(items: readonly RenderItem[], pivot: number, depths: ReadonlyMap<RenderItem, readonly number[]>) {
@@ -80,7 +80,7 @@ function draw(items: readonly RenderItem[], pivot: number, depths: ReadonlyMap<R
 }
 
 it('shows, of items at one depth, the one that three shows, also of materials that it does not know', () => {
-  const order = new MaterialOrder();
+  const order = new MaterialOrder(() => {});
   let moved = 0;
   for (let trial = 0; trial < 500; trial++) {
     const count = 1 + random(10);
@@ -101,7 +101,7 @@ it('shows, of items at one depth, the one that three shows, also of materials th
 });
 
 it("leaves three's order to items of several render orders, and of blended or node materials", () => {
-  const order = new MaterialOrder();
+  const order = new MaterialOrder(() => {});
   const wastes = new Float64Array(MOST_MATERIALS ** 2);
   wastes[1] = 1; // the first material is hidden by the second
   order.find([4, 8], wastes);

@@ -1,5 +1,6 @@
 import type { RenderItem } from '../../frame/RenderItem';
-import type { MaterialOrder as Order, RenderQueue } from '../../frame/RenderQueue';
+import type { MaterialOrder as Order, OpaqueItems } from '../../frame/RenderQueue';
+import type { DirectDraw } from '../../three/directDraw';
 
 /** Maximum number of materials of an order. */
 export const MOST_MATERIALS = 64;
@@ -22,6 +23,8 @@ export class MaterialOrder implements Order {
   private ids: readonly number[] = [];
   private readonly ranks = new Uint8Array(MOST_MATERIALS);
   private readonly items: RenderItem[] = [];
+
+  constructor(readonly draw: DirectDraw) {}
 
   /**
    * Finds the order, by dynamic programming over intervals of ids.
@@ -55,7 +58,8 @@ export class MaterialOrder implements Order {
     return saved;
   }
 
-  sort(opaque: readonly RenderItem[], isFar: RenderQueue['isFar']): readonly RenderItem[] | null {
+  sort(queue: OpaqueItems): readonly RenderItem[] | null {
+    const { opaque } = queue;
     const { items, pivot } = this;
     const { length } = opaque;
     if (length === 0 || !isBeside(opaque[0], opaque[length - 1])) return null;
@@ -65,7 +69,7 @@ export class MaterialOrder implements Order {
       // three draws node materials all at once, and blended ones need what lies behind them
       if (shading === 'nodes' || material.transparent) return null;
       if (material.id >= pivot) continue;
-      if (isFar(opaque[i])) return null;
+      if (isFar(queue, opaque[i])) return null;
       next++;
     }
     let before = next - 1;
@@ -90,6 +94,11 @@ export class MaterialOrder implements Order {
     else while (at < ids.length && ids[at] < id) at++;
     return at >= 0 && at < ids.length ? ranks[at] : ids.length;
   }
+}
+
+/** Whether an item's depth may equal the cleared depth, so that LessDepth would hide it. */
+export function isFar(queue: OpaqueItems, { material, object, geometry }: RenderItem): boolean {
+  return material.polygonOffset || queue.reaches(object, geometry, queue.cleared);
 }
 
 /** Whether two items may be drawn in either order. */

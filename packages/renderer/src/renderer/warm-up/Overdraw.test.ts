@@ -36,8 +36,9 @@ const item = (object: Mesh, route: RenderItem['route'] = 'split', renderOrder = 
 const size = { width: 1280, height: 720 };
 
 function estimate(opaque: readonly RenderItem[], by: Camera = camera): Overdraw {
-  const overdraw = new Overdraw();
-  for (let i = 0; i < 9; i++) overdraw.follow({ camera: by, ...size, queue: { opaque, isFar: () => false } });
+  const overdraw = new Overdraw(() => {});
+  for (let i = 0; i < 9; i++)
+    overdraw.follow({ camera: by, ...size, queue: { opaque, cleared: 9, reaches: () => false } });
   return overdraw;
 }
 
@@ -81,9 +82,10 @@ it('leaves out what no depth pre-pass draws, and what has no positions or known 
 });
 
 it('is made anew every 64 frames, half of it from the one before, and for no more than 1,000 items', () => {
-  const overdraw = new Overdraw();
+  const overdraw = new Overdraw(() => {});
   const follow = (opaque: readonly RenderItem[], frames: number) => {
-    for (let i = 0; i < frames; i++) overdraw.follow({ camera, ...size, queue: { opaque, isFar: () => false } });
+    for (let i = 0; i < frames; i++)
+      overdraw.follow({ camera, ...size, queue: { opaque, cleared: 9, reaches: () => false } });
     return overdraw.layers;
   };
   const layers = depths.map((depth) => item(quad(depth)));
@@ -112,13 +114,13 @@ it('orders materials so that what hides others is drawn before them', () => {
   expect(ordered([item(quad(20, first)), item(quad(10, second, 1, 4))]), 'little to save').toBeNull();
   expect(ordered([item(quad(10, first)), item(quad(20, second))]), "three's order is as good").toBeNull();
   expect(ordered([item(quad(20, second)), item(quad(10, first))]), "the host's order").toBeNull();
-  const small = new Overdraw();
+  const small = new Overdraw(() => {});
   for (let i = 0; i < 9; i++) {
     small.follow({
       camera,
       width: 80,
       height: 45,
-      queue: { opaque: meshes.map((mesh) => item(mesh)), isFar: () => false },
+      queue: { opaque: meshes.map((mesh) => item(mesh)), cleared: 9, reaches: () => false },
     });
   }
   expect(small.order, 'few pixels').toBeNull();

@@ -9,8 +9,9 @@ import {
   type Object3D,
 } from 'three';
 import type { RenderItem } from '../../frame/RenderItem';
-import type { RenderQueue } from '../../frame/RenderQueue';
-import { isBeside, MaterialOrder, MOST_MATERIALS } from './MaterialOrder';
+import type { OpaqueItems } from '../../frame/RenderQueue';
+import type { DirectDraw } from '../../three/directDraw';
+import { isBeside, isFar, MaterialOrder, MOST_MATERIALS } from './MaterialOrder';
 import { geometryPoints, POINT, POINTS, surfacePoints } from './surfacePoints';
 
 /** Maximum number of cells along a side of the picture, and smallest mean number of parts in a cell. */
@@ -38,7 +39,7 @@ export interface EstimatedFrame {
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
-  readonly queue: { readonly opaque: readonly RenderItem[]; readonly isFar: RenderQueue['isFar'] };
+  readonly queue: OpaqueItems;
 }
 
 const toView = new Matrix4();
@@ -77,10 +78,15 @@ export class Overdraw {
   triangles = 0;
   /** Order of materials, for `RenderQueue.order`; null where it saves too little. */
   order: MaterialOrder | null = null;
-  private readonly found = new MaterialOrder();
+  private readonly found: MaterialOrder;
   private frames = 0;
   private parts = 0;
   private cells = 1;
+
+  /** @param draw - draws items in the order found by LessDepth, where they need it */
+  constructor(draw: DirectDraw) {
+    this.found = new MaterialOrder(draw);
+  }
 
   /** Counts a drawn frame, and makes an estimate in every 64th. */
   follow({ camera, width, height, queue }: EstimatedFrame): void {
@@ -192,7 +198,7 @@ export class Overdraw {
   }
 
   /** Finds the order of the runs' materials. @returns mean number of shadings of a pixel that it saves against three's order */
-  private findOrder({ opaque, isFar }: EstimatedFrame['queue']): number {
+  private findOrder(queue: OpaqueItems): number {
     const ids: number[] = [];
     wastes.fill(0);
     for (let run = 0; run < runs.length; run++) {
@@ -208,10 +214,10 @@ export class Overdraw {
         wastes[materialOf[other] * MOST_RUNS + materialOf[run]] += hides[run * MOST_RUNS + other];
       }
     }
-    for (const item of opaque) {
+    for (const item of queue.opaque) {
       const material = ids.indexOf(item.material.id);
       // must not be drawn by LessDepth
-      if (material >= 0 && isFar(item)) wastes[material * (MOST_RUNS + 1)] = Infinity;
+      if (material >= 0 && isFar(queue, item)) wastes[material * (MOST_RUNS + 1)] = Infinity;
     }
     return this.found.find(ids, wastes) / this.cells;
   }
