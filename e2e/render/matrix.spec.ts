@@ -43,10 +43,15 @@ const BY_ONE: Record<(typeof sheets)[number], 0 | 1> = {
 };
 
 /**
- * Step between cases that the slice draws. A sheet of glTF holds materials of the other sheets, after a file; of changed
- * shaders, each chunk has two or three.
+ * Step between cases that the slice draws. agreement.spec.ts draws the lit materials and the kinds of geometry; a sheet of glTF
+ * holds materials of the other sheets, after a file; of changed shaders, each chunk has two or three.
  */
-const EVERY: Partial<Record<(typeof sheets)[number], number>> = { glTF: 2, shaders: 2 };
+const EVERY: Partial<Record<(typeof sheets)[number], number>> = {
+  materials: 2,
+  geometry: 2,
+  glTF: 2,
+  shaders: 2,
+};
 
 // one page for all sheets, unless many browsers share them: most of their time goes to shaders, many of which they share
 for (const [part, listed] of parts(sheets, 1).entries()) {

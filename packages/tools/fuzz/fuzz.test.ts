@@ -18,7 +18,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-const cases = { slice: 200, verify: 2000, long: 20_000 }[extent];
+const cases = { slice: 120, verify: 2000, long: 20_000 }[extent];
 // time is judged in verify alone
 const budget = isWhole ? fuzzBudget : { ...fuzzBudget, seconds: Infinity };
 
