@@ -44,6 +44,7 @@ import { runSettings } from './matrix/runSettings';
 import { enlargeSheet } from './matrix/enlargeSheet';
 import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
+import { randomIn } from './random';
 import { drawn, families, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
 /** An empty page for browser tests that build their own scenes: three and the renderer, whole. */
@@ -136,6 +137,7 @@ export interface TestPage {
   loseContexts: typeof loseContexts;
   compareImages: typeof compareImages;
   isFlat: typeof isFlat;
+  randomIn: typeof randomIn;
 }
 
 declare global {
@@ -212,4 +214,5 @@ window.testPage = {
   loseContexts,
   compareImages,
   isFlat,
+  randomIn,
 };

@@ -5,16 +5,12 @@ import { expect, test } from '../support/benchTest';
 
 test('lights of fields look as the same lights one by one, by every technique', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, lightFields, techniquesInTurn, three } = window.testPage;
+    const { Bench, compareImages, lightFields, randomIn, techniquesInTurn, three } = window.testPage;
     const width = 64;
     const height = 48;
     const bench = new Bench(width, height);
     bench.farol.inferredScale = 1;
-    let seed = 1;
-    const random = (low: number, high: number) => {
-      seed = (Math.imul(seed, 1103515245) + 12345) >>> 0;
-      return low + ((high - low) * (seed >>> 8)) / 2 ** 24;
-    };
+    const random = randomIn(1);
     const scene = new three.Scene();
     const floor = new three.Mesh(new three.PlaneGeometry(24, 24), new three.MeshStandardMaterial({ roughness: 0.6 }));
     floor.rotation.x = -Math.PI / 2;

@@ -45,12 +45,11 @@ test('of coplanar surfaces, in any order of materials, every technique shows the
   benchPage: page,
 }) => {
   const seen = await page.evaluate(async () => {
-    const { Bench, three, techniquesInTurn } = window.testPage;
+    const { Bench, randomIn, three, techniquesInTurn } = window.testPage;
     const bench = new Bench(240, 160);
     const scene = new three.Scene();
     const camera = new three.PerspectiveCamera(60, 1.5, 0.1, 100);
-    let seed = 3;
-    const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
+    const random = randomIn(3);
     const order: number[] = [];
     // the one at 3 m hides half of the picture, and three draws most others before it
     const depths = [6, 9, 12, 6, 9, 12, 9, 6, 12, 9, 6, 3, 12, 9, 6];
@@ -63,9 +62,9 @@ test('of coplanar surfaces, in any order of materials, every technique shows the
     materials.forEach((material, i) => {
       const depth = depths[i];
       for (let k = 0; k < (i % 4 === 0 ? 2 : 1); k++) {
-        const geometry = new three.PlaneGeometry(depth * (0.4 + 0.5 * random()), depth * (0.3 + 0.4 * random()));
+        const geometry = new three.PlaneGeometry(depth * random(0.4, 0.9), depth * random(0.3, 0.7));
         const mesh = new three.Mesh(geometry, material);
-        mesh.position.set(depth * (random() - 0.5), depth * (random() - 0.5) * 0.7, -depth);
+        mesh.position.set(depth * random(-0.5, 0.5), depth * random(-0.35, 0.35), -depth);
         if (depth === 3) mesh.position.set(-1.2, 0, -depth);
         if (depth === 3) mesh.scale.set(3 / geometry.parameters.width, 4 / geometry.parameters.height, 1);
         mesh.onBeforeRender = () => void order.push(material.id);

@@ -5,15 +5,11 @@ test('thousands of point lights, which the GPU sorts, look as when the CPU sorts
   benchPage: page,
 }) => {
   const results = await page.evaluate(async () => {
-    const { Bench, compareImages, three } = window.testPage;
+    const { Bench, compareImages, randomIn, three } = window.testPage;
     const width = 48;
     const height = 32;
     const bench = new Bench(width, height);
-    let seed = 5;
-    const random = (low: number, high: number) => {
-      seed = (Math.imul(seed, 1103515245) + 12345) >>> 0;
-      return low + ((high - low) * (seed >>> 8)) / 2 ** 24;
-    };
+    const random = randomIn(5);
     const scene = new three.Scene();
     const floor = new three.Mesh(new three.PlaneGeometry(24, 24), new three.MeshStandardMaterial({ roughness: 0.6 }));
     floor.rotation.x = -Math.PI / 2;
@@ -31,16 +27,16 @@ test('thousands of point lights, which the GPU sorts, look as when the CPU sorts
     camera.position.set(0, 4, 9);
     camera.lookAt(0, 0, -1);
     const isPacked = () => bench.farol.info.passes.some(({ name }) => name === 'light fields');
-    const found: (Difference & { name: string; packed: boolean })[] = [];
+    const found: (Difference & { name: string })[] = [];
     const compare = async (name: string) => {
-      // packs no lights
+      // packs no lights, and no frame of 'tiled-deferred' does until its programs are linked
       const alone = bench.byTechnique('clustered-deferred', scene, camera);
       let picture = bench.byTechnique('tiled-deferred', scene, camera);
-      for (let i = 0; i < 200 && !isPacked(); i++) {
-        await new Promise((resolve) => setTimeout(resolve));
+      while (!isPacked()) {
+        await new Promise(requestAnimationFrame);
         picture = bench.byTechnique('tiled-deferred', scene, camera);
       }
-      found.push({ name, packed: isPacked(), ...compareImages(alone, picture) });
+      found.push({ name, ...compareImages(alone, picture) });
     };
     await compare('first');
     const { total, visible } = bench.farol.info.lights;
@@ -77,10 +73,7 @@ test('thousands of point lights, which the GPU sorts, look as when the CPU sorts
     bench.byTechnique('tiled-deferred', scene, camera);
     return { found, total, visible, programs, behind, few: isPacked() };
   });
-  for (const { name, packed, ...difference } of results.found) {
-    expect(packed, name).toBe(true);
-    expect(difference.largest, name).toBeLessThan(2e-3);
-  }
+  for (const { name, largest } of results.found) expect(largest, name).toBeLessThan(2e-3);
   expect(results.total).toBe(4202);
   expect(results.visible).toBeGreaterThan(3000);
   expect(results.visible).toBeLessThanOrEqual(4202);

@@ -107,7 +107,7 @@ export class FieldLights {
     this.pass.drawTo(frame, target);
   }
 
-  /** Tries the draw of a field, for a warm-up. */
+  /** Draws for a warm-up, which compiles the program and draws nothing. */
   warmUp(frame: Frame): void {
     this.pass.drawTo(frame, this.target);
   }

@@ -139,7 +139,7 @@ export class FieldLists {
     this.shared.farol_sliceQuads.value = this.slices.target.texture;
   }
 
-  /** Tries each draw of lists that are not sliced, for a warm-up. */
+  /** Draws for a warm-up, which compiles the programs of lists that are not sliced and draws nothing. */
   warmUp(frame: Frame): void {
     for (const step of this.steps)
       if (this.use !== 'none' || (step !== this.depthBlocks && step !== this.depths)) draw(frame, step);

@@ -24,10 +24,10 @@ function point(x: number, range = 2, intensity = 3): PointLight {
   return light;
 }
 
-/** Rows of 128 lights of the field's positions changed since version `seen`. */
-function rowsOf(field: LightField, seen: number): { rows: number[]; seen: number } {
+/** Rows of 128 lights of one of the field's arrays changed since version `seen`. */
+function rowsOf(array: LightField['spheres'], seen: number): { rows: number[]; seen: number } {
   const rows: number[] = [];
-  const next = field.spheres.changes(seen, 100, (first, count) => {
+  const next = array.changes(seen, 100, (first, count) => {
     for (let i = 0; i < count; i++) rows.push(first + i);
   });
   return { rows, seen: next };
@@ -63,14 +63,17 @@ describe('packed lights', () => {
     const lights = Array.from({ length: 600 }, (_, i) => point(i / 100));
     const packed = new PackedLights();
     const field = packed.pack(found(lights), camera());
-    const { seen } = rowsOf(field, 0);
+    const { spheres, emissions } = field;
+    const [first, second] = [spheres, emissions].map((array) => rowsOf(array, 0).seen);
     packed.pack(found(lights), camera(50));
-    expect(rowsOf(field, seen).rows).toEqual([]);
+    expect([rowsOf(spheres, first).rows, rowsOf(emissions, second).rows]).toEqual([[], []]);
+    lights[5].position.y = 9;
     lights[130].position.x = 9;
     lights[599].distance = 3;
     lights[300].color.r = 0.5;
     packed.pack(found(lights), camera());
-    expect(rowsOf(field, seen).rows).toEqual([1, 4]);
+    expect(rowsOf(spheres, first).rows).toEqual([0, 1, 4]);
+    expect(rowsOf(emissions, second).rows).toEqual([2]);
   });
 
   it('keep their precision far from the origin of the world', () => {

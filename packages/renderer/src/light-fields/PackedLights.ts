@@ -84,12 +84,12 @@ export class PackedLights {
           moved = (n | 127) + 1;
         }
       }
-      const fall = Math.fround(decay);
-      if (e[at] !== r || e[at + 1] !== g || e[at + 2] !== b || e[at + 3] !== fall) {
+      const falloff = Math.fround(decay);
+      if (e[at] !== r || e[at + 1] !== g || e[at + 2] !== b || e[at + 3] !== falloff) {
         e[at] = r;
         e[at + 1] = g;
         e[at + 2] = b;
-        e[at + 3] = fall;
+        e[at + 3] = falloff;
         if (n >= changed) {
           emissions.update(n, 1);
           changed = (n | 127) + 1;

@@ -112,9 +112,9 @@ float farol_varianceShadow(const in vec4 region, const in vec3 coord, const in f
   return clamp((variance / (variance + beyond * beyond) - 0.3) / 0.65, 0.0, 1.0);
 }
 
-// Three's disk at right angles to the direction, projected to the plane of the cube's face, to first order. With (p,
-// q) where the direction hits the face (-1..1), l² = 1 + p² + q² and three's tangent t and bitangent b of the disk, t
-// projects to (p, q) + l (t.xy - (p, q) t.z), and b likewise. Samples beyond the face are in its border.
+// Three's disk at right angles to the direction, projected to the plane of the cube's face, to first order. With
+// (p, q) where the direction hits the face (-1..1), l² = 1 + p² + q² and three's tangent t and bitangent b of the
+// disk, t projects to (p, q) + l (t.xy - (p, q) t.z), and b likewise. Samples beyond the face are in its border.
 // depths: a and b of the depth a + b / distance along the face's axis; reach: radius of the filter, as part of a face
 FarolDisk farol_cubeDisk(const in vec3 region, const in float border, const in vec3 fromLight, const in vec2 depths,
   const in float reach) {
